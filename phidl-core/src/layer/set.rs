@@ -1,0 +1,144 @@
+//! [`LayerSet`]: the layers of a process, by name and with their looks.
+//!
+//! A set is a plain value that is handed to whoever draws pictures. PHIDL keeps a global table instead, in which a
+//! layer that was refused, or a copy without a color, replaces the layer that was meant.
+
+use indexmap::IndexMap;
+
+use super::{Color, Layer};
+use crate::error::{Error, Noun, Result};
+
+/// A layer with its name and its looks.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NamedLayer {
+    /// The name, unique in its set.
+    pub name: String,
+    /// The numbers in the file.
+    pub layer: Layer,
+    /// What it is for.
+    pub description: String,
+    /// Fill color in pictures; without one, pictures choose.
+    pub color: Option<Color>,
+    /// Opacity in pictures, 0 to 1.
+    pub alpha: f64,
+    /// Whether the drawn parts stay when the layer is written (a dark-field mask).
+    pub inverted: bool,
+    /// Name of a fill pattern for viewers that have them.
+    pub dither: Option<String>,
+}
+
+impl NamedLayer {
+    /// A layer of this name and numbers, without a color, 60 % opaque.
+    #[must_use]
+    pub fn new(name: impl Into<String>, layer: impl Into<Layer>) -> Self {
+        Self {
+            name: name.into(),
+            layer: layer.into(),
+            description: String::new(),
+            color: None,
+            alpha: 0.6,
+            inverted: false,
+            dither: None,
+        }
+    }
+
+    /// The same with a fill color.
+    #[must_use]
+    pub fn color(self, color: Color) -> Self {
+        Self { color: Some(color), ..self }
+    }
+
+    /// The same with a description.
+    #[must_use]
+    pub fn description(self, description: impl Into<String>) -> Self {
+        Self { description: description.into(), ..self }
+    }
+}
+
+/// Named layers in the order in which they were added.
+///
+/// ```
+/// # use phidl_core::layer::{Color, LayerSet, NamedLayer};
+/// let mut set = LayerSet::new();
+/// set.add(NamedLayer::new("nb", 5).color("gold".parse()?))?;
+/// assert_eq!(set.get("nb")?.layer.number, 5);
+/// assert!(set.get("au").is_err());
+/// # Ok::<(), phidl_core::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct LayerSet {
+    layers: IndexMap<String, NamedLayer>,
+}
+
+impl LayerSet {
+    /// A set without layers.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Adds a layer at the end.
+    ///
+    /// # Errors
+    /// [`Error::Duplicate`] if the name is taken, [`Error::Refused`] if the opacity is not between 0 and 1.
+    pub fn add(&mut self, layer: NamedLayer) -> Result<&mut Self> {
+        if self.layers.contains_key(&layer.name) {
+            return Err(Error::Duplicate { device: "layer set".into(), kind: Noun::Layer, name: layer.name.into() });
+        }
+        if !(0.0..=1.0).contains(&layer.alpha) {
+            return Err(Error::Refused {
+                device: layer.name.into(),
+                what: "alpha".into(),
+                value: layer.alpha.to_string().into(),
+                rule: "be from 0 to 1".into(),
+            });
+        }
+        self.layers.insert(layer.name.clone(), layer);
+        Ok(self)
+    }
+
+    /// The layer of this name.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] with the names that are there.
+    pub fn get(&self, name: &str) -> Result<&NamedLayer> {
+        self.layers.get(name).ok_or_else(|| Error::Unknown {
+            owner: "layer set".into(),
+            kind: Noun::Layer,
+            name: name.into(),
+            known: self.layers.keys().cloned().collect(),
+        })
+    }
+
+    /// The first layer with these numbers.
+    #[must_use]
+    pub fn find(&self, layer: Layer) -> Option<&NamedLayer> {
+        self.iter().find(|named| named.layer == layer)
+    }
+
+    /// The layers, in the order in which they were added.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = &NamedLayer> {
+        self.layers.values()
+    }
+
+    /// Whether there is no layer.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.layers.is_empty()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_refused_layer_changes_nothing() {
+        let mut set = LayerSet::new();
+        set.add(NamedLayer::new("au", 1)).unwrap();
+        assert!(matches!(set.add(NamedLayer::new("au", 2)), Err(Error::Duplicate { .. })));
+        let glassy = NamedLayer { alpha: 1.5, ..NamedLayer::new("nb", 3) };
+        assert!(set.add(glassy).is_err());
+        assert_eq!(set.iter().map(|l| l.layer.number).collect::<Vec<_>>(), [1]);
+    }
+}

@@ -1,0 +1,162 @@
+//! The rounding rule, in one place: from micrometers to whole steps of a grid.
+//!
+//! Two callers exist by design: the entry into the boolean engine and the writing of a file. A generator never rounds.
+//! Halves go away from zero, so that a mirrored layout rounds to the mirror image; rounding `floor(x + 0.5)` would
+//! keep shifts exact instead, but no mask is made of shifts alone. Before that the noise of floating point is taken
+//! off (below 2⁻²⁰ of a step), so that two ways to the same half step round alike.
+
+use crate::geom::Point;
+
+/// Noise below this part of a step is removed before rounding: 2²⁰ parts.
+const NOISE_PARTS: f64 = 1_048_576.0;
+
+/// A square grid of `step` micrometers, with the largest number of steps that fits its integers.
+///
+/// ```
+/// # use phidl_core::num::grid::Grid;
+/// let nanometer = Grid::new(1e-3)?;
+/// assert_eq!(nanometer.steps(0.0015)?, 2);
+/// assert_eq!(nanometer.steps(-0.0015)?, -2);
+/// # Ok::<(), phidl_core::num::grid::GridError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Grid {
+    step: f64,
+    per_um: f64,
+    most: i64,
+}
+
+/// Why a coordinate or a grid was refused.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum GridError {
+    /// The coordinate is not a number, infinite, or further out than the grid's integers reach.
+    #[error("coordinate {um} µm is outside the grid, which reaches ±{limit_um} µm in steps of {step} µm")]
+    OutOfRange {
+        /// The coordinate (µm).
+        um: f64,
+        /// The grid's reach (µm).
+        limit_um: f64,
+        /// The grid step (µm).
+        step: f64,
+    },
+    /// A grid step must be a positive, finite length.
+    #[error("grid step is {step} µm, but it must be greater than 0 µm and finite")]
+    BadStep {
+        /// The step that was asked for (µm).
+        step: f64,
+    },
+}
+
+impl Grid {
+    /// A grid of `step` micrometers whose steps fit into 32 bits, as GDSII stores them.
+    ///
+    /// # Errors
+    /// [`GridError::BadStep`] unless the step is positive and finite.
+    pub fn new(step: f64) -> Result<Self, GridError> {
+        // A step like 1e-3 is not a binary fraction, but its inverse mostly is a whole number: multiply by that.
+        let inverse = (1.0 / step).round();
+        let per_um = if inverse > 0.0 && ((inverse * step) - 1.0).abs() < 1e-12 { inverse } else { 1.0 / step };
+        if step > 0.0 && step.is_finite() && per_um.is_finite() {
+            Ok(Self { step, per_um, most: i64::from(i32::MAX) })
+        } else {
+            Err(GridError::BadStep { step })
+        }
+    }
+
+    /// The same grid with another reach: `±most` steps.
+    #[must_use]
+    pub fn reaching(self, most: i64) -> Self {
+        Self { most, ..self }
+    }
+
+    /// The grid step (µm).
+    #[must_use]
+    pub fn step(&self) -> f64 {
+        self.step
+    }
+
+    /// The coordinate as a number of steps: noise removed, then halves away from zero.
+    ///
+    /// # Errors
+    /// [`GridError::OutOfRange`] if the coordinate is not finite or further out than the grid reaches.
+    pub fn steps(&self, um: f64) -> Result<i64, GridError> {
+        let steps = self.rounded(um);
+        if steps.abs() <= self.most as f64 {
+            #[expect(clippy::cast_possible_truncation, reason = "the range was checked above")]
+            let steps = steps as i64;
+            Ok(steps)
+        } else {
+            Err(GridError::OutOfRange { um, limit_um: self.um(self.most), step: self.step })
+        }
+    }
+
+    /// Both coordinates of a point as steps.
+    ///
+    /// # Errors
+    /// [`GridError::OutOfRange`] as for [`Grid::steps`].
+    pub fn point_steps(&self, point: Point) -> Result<(i64, i64), GridError> {
+        Ok((self.steps(point.x)?, self.steps(point.y)?))
+    }
+
+    /// The length of a number of steps (µm).
+    #[must_use]
+    pub fn um(&self, steps: i64) -> f64 {
+        steps as f64 / self.per_um
+    }
+
+    /// The coordinate rounded to the grid, as a whole number of steps that may be out of range.
+    fn rounded(&self, um: f64) -> f64 {
+        let exact = um * self.per_um;
+        let parts = exact * NOISE_PARTS;
+        // Beyond 2⁵² parts a double holds no half step any more, and there is no noise to remove.
+        let quiet = if parts.abs() < 4.5e15 { parts.round() / NOISE_PARTS } else { exact };
+        quiet.round()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn halves_go_away_from_zero_so_that_mirrored_layouts_mirror() {
+        let grid = Grid::new(1e-3).unwrap();
+        for um in [0.0005, 0.0015, 0.0025, 1.0005, 123.4565] {
+            assert_eq!(grid.steps(um).unwrap(), -grid.steps(-um).unwrap());
+        }
+        assert_eq!(grid.steps(0.0025).unwrap(), 3);
+        assert_eq!(grid.steps(1.0005).unwrap(), 1001);
+    }
+
+    #[test]
+    fn two_ways_to_the_same_half_step_round_alike() {
+        let grid = Grid::new(1e-3).unwrap();
+        let direct = 0.0005;
+        let roundabout = 1000.0005 - 1000.0; // 0.00049999998 in doubles
+        assert_eq!(grid.steps(direct).unwrap(), grid.steps(roundabout).unwrap());
+    }
+
+    #[test]
+    fn real_differences_are_not_noise() {
+        let grid = Grid::new(1e-3).unwrap();
+        assert_eq!(grid.steps(0.000_499_99).unwrap(), 0);
+    }
+
+    #[test]
+    fn out_of_range_is_an_error() {
+        let grid = Grid::new(1e-3).unwrap();
+        assert_eq!(grid.steps(2_147_483.647).unwrap(), i64::from(i32::MAX));
+        assert!(grid.steps(2_147_483.648).is_err());
+        assert!(grid.steps(f64::NAN).is_err());
+        assert!(grid.steps(f64::NEG_INFINITY).is_err());
+        assert!(grid.reaching(1 << 40).steps(3_000_000.0).is_ok());
+    }
+
+    #[test]
+    fn steps_that_are_no_lengths_are_refused() {
+        for step in [0.0, -1e-3, f64::NAN, f64::INFINITY] {
+            assert!(Grid::new(step).is_err(), "{step}");
+        }
+    }
+}

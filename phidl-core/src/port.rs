@@ -1,0 +1,242 @@
+//! [`Port`]: where things are joined.
+
+use std::collections::BTreeMap;
+
+use crate::error::{Error, Result};
+use crate::geom::{Point, Rect, Transform};
+use crate::num::angle;
+use crate::param::Value;
+use crate::place::{Bounded, PlaceFault, Transformable};
+
+/// A named opening: midpoint, width, and the direction that looks out of the geometry it belongs to.
+///
+/// ```
+/// # use phidl_core::prelude::*;
+/// let port = Port::new((3, 4), 2, 0);
+/// assert_eq!(port.endpoints(), (Point::new(3.0, 5.0), Point::new(3.0, 3.0)));
+/// ```
+///
+/// Given as a value, `((x, y), width, orientation)` is a port too. The name comes with
+/// [`add_port`](crate::scene::DeviceBuilder::add_port).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Port {
+    name: String,
+    midpoint: Point,
+    width: f64,
+    orientation: f64,
+    info: BTreeMap<String, Value>,
+    fault: Option<Box<PlaceFault>>,
+}
+
+impl Port {
+    /// A port without a name; width in µm, orientation in degrees (kept in `[0, 360)`).
+    ///
+    /// A width that is negative, or a number that is not finite, is refused where the port is added to a cell.
+    pub fn new(midpoint: impl Into<Point>, width: impl Into<f64>, orientation: impl Into<f64>) -> Self {
+        Self {
+            name: String::new(),
+            midpoint: midpoint.into(),
+            width: width.into(),
+            orientation: angle::normalized(orientation.into()),
+            info: BTreeMap::new(),
+            fault: None,
+        }
+    }
+
+    /// The port between two points, `left` and `right` as seen when looking out.
+    pub fn between(left: impl Into<Point>, right: impl Into<Point>) -> Self {
+        let (left, right) = (left.into(), right.into());
+        let across = right - left;
+        Self::new((left + right) / 2.0, across.norm(), angle::direction(-across.y, across.x))
+    }
+
+    /// The same port under another name.
+    #[must_use]
+    pub fn named(self, name: impl Into<String>) -> Self {
+        Self { name: name.into(), ..self }
+    }
+
+    /// The same port with another width (µm).
+    #[must_use]
+    pub fn with_width(self, width: impl Into<f64>) -> Self {
+        Self { width: width.into(), ..self }
+    }
+
+    /// The same port with a note of any kind.
+    #[must_use]
+    pub fn with_info(mut self, key: impl Into<String>, value: impl Into<Value>) -> Self {
+        self.info.insert(key.into(), value.into());
+        self
+    }
+
+    /// The name; empty until the port belongs to a cell.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The middle of the opening.
+    #[must_use]
+    pub fn midpoint(&self) -> Point {
+        self.midpoint
+    }
+
+    /// The width of the opening (µm).
+    #[must_use]
+    pub fn width(&self) -> f64 {
+        self.width
+    }
+
+    /// The direction that looks out of the geometry (degrees, in `[0, 360)`).
+    #[must_use]
+    pub fn orientation(&self) -> f64 {
+        self.orientation
+    }
+
+    /// Notes of any kind.
+    #[must_use]
+    pub fn info(&self) -> &BTreeMap<String, Value> {
+        &self.info
+    }
+
+    /// The vector of length 1 that looks out.
+    #[must_use]
+    pub fn normal(&self) -> Point {
+        Point::polar(1.0, self.orientation)
+    }
+
+    /// The two ends of the opening: left and right as seen when looking out.
+    #[must_use]
+    pub fn endpoints(&self) -> (Point, Point) {
+        let half = Point::polar(self.width / 2.0, self.orientation - 90.0);
+        (self.midpoint - half, self.midpoint + half)
+    }
+
+    /// The port that looks back at this one from the same place.
+    #[must_use]
+    pub fn flipped(&self) -> Self {
+        Self { orientation: angle::normalized(self.orientation + 180.0), ..self.clone() }
+    }
+
+    /// Refuses what cannot be an opening, in the name of a cell.
+    pub(crate) fn check(&self, device: &str) -> Result<()> {
+        let what = |what: &str| format!("{what} of port \"{}\"", self.name).into();
+        if let Some(fault) = &self.fault {
+            return Err(fault.into_error(device, &format!("port \"{}\"", self.name)));
+        }
+        let not_finite = |name: &str, value: String| {
+            Err(Error::NotFinite { device: device.into(), what: what(name), value: value.into() })
+        };
+        if !self.midpoint.is_finite() {
+            return not_finite("midpoint", self.midpoint.to_string());
+        }
+        if !self.orientation.is_finite() {
+            return not_finite("orientation", self.orientation.to_string());
+        }
+        if !self.width.is_finite() {
+            return not_finite("width", self.width.to_string());
+        }
+        if self.width < 0.0 {
+            return Err(Error::Refused {
+                device: device.into(),
+                what: what("width"),
+                value: format!("{} µm", self.width).into(),
+                rule: "be at least 0 µm".into(),
+            });
+        }
+        Ok(())
+    }
+}
+
+impl std::fmt::Display for Port {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { name, midpoint, width, orientation, .. } = self;
+        write!(f, "port \"{name}\" at {midpoint}, {width} µm wide, facing {orientation}°")
+    }
+}
+
+impl Bounded for Port {
+    /// The midpoint.
+    fn bbox(&self) -> Option<Rect> {
+        Some(Rect { min: self.midpoint, max: self.midpoint })
+    }
+}
+
+impl Transformable for Port {
+    fn transform_mut(&mut self, by: &Transform) {
+        self.midpoint = by.apply(self.midpoint);
+        self.orientation = by.apply_direction(self.orientation);
+        self.width *= by.magnification;
+    }
+
+    fn refuse(&mut self, fault: PlaceFault) {
+        self.fault.get_or_insert(Box::new(fault));
+    }
+}
+
+impl From<&Port> for Port {
+    fn from(port: &Port) -> Self {
+        port.clone()
+    }
+}
+
+impl<P: Into<Point>, W: Into<f64>, O: Into<f64>> From<(P, W, O)> for Port {
+    fn from((midpoint, width, orientation): (P, W, O)) -> Self {
+        Self::new(midpoint, width, orientation)
+    }
+}
+
+impl From<&Port> for Point {
+    fn from(port: &Port) -> Self {
+        port.midpoint
+    }
+}
+
+impl From<Port> for Point {
+    fn from(port: Port) -> Self {
+        port.midpoint
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn endpoints_are_left_and_right_when_looking_out() {
+        assert_eq!(Port::new((3, 4), 2, 90).endpoints(), (Point::new(2.0, 4.0), Point::new(4.0, 4.0)));
+    }
+
+    #[test]
+    fn a_port_between_two_points_looks_away_from_the_material() {
+        for (a, b, orientation) in
+            [((3, 5), (3, 3), 0.0), ((3, 3), (3, 5), 180.0), ((0, 0), (1, 0), 90.0), ((1, 0), (0, 0), 270.0)]
+        {
+            assert_eq!(Port::between(a, b).orientation(), orientation);
+        }
+        let port = Port::new((1, 2), 3, 30);
+        let (left, right) = port.endpoints();
+        assert!((Port::between(left, right).orientation() - 30.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn orientations_are_kept_within_a_turn() {
+        assert_eq!(Port::new((0, 0), 1, -90).orientation(), 270.0);
+        assert_eq!(Port::new((0, 0), 1, 725.5).orientation(), 5.5);
+    }
+
+    #[test]
+    fn magnification_scales_the_width() {
+        let mut port = Port::new((4, 1), 2, 0);
+        port.transform_mut(&Transform { magnification: 2.0, x_reflection: true, ..Transform::IDENTITY });
+        assert_eq!((port.midpoint(), port.width(), port.orientation()), (Point::new(8.0, -2.0), 4.0, 0.0));
+    }
+
+    #[test]
+    fn openings_that_cannot_be_are_refused_by_name() {
+        let error = Port::new((0, 0), -1, 0).named("e").check("ring").unwrap_err();
+        assert_eq!(error.to_string(), "ring: width of port \"e\" is -1 µm, but it must be at least 0 µm");
+        assert!(Port::new((0.0, f64::NAN), 1, 0).check("ring").is_err());
+        assert!(Port::new((0, 0), 1, f64::INFINITY).check("ring").is_err());
+    }
+}

@@ -1,0 +1,285 @@
+//! [`Device`]: the finished cell.
+
+use std::collections::BTreeMap;
+use std::sync::{Arc, OnceLock};
+
+use super::{Array, Cell, DeviceBuilder, Label, PolygonView, Reference, Source};
+use crate::error::Result;
+use crate::geom::{Point, Rect, Transform, convex_hull};
+use crate::hash::{self, Digest};
+use crate::layer::Layer;
+use crate::param::Value;
+use crate::place::Bounded;
+use crate::port::Port;
+
+/// A finished cell: immutable, shared, cheap to clone, safe to use from several threads.
+///
+/// Nobody can change a cell that is cached or placed; [`Device::edit`] opens a copy. Two devices are equal if their
+/// contents are, down to ports and info; [`Device::same_cell`] asks whether they are one and the same.
+#[derive(Clone)]
+pub struct Device(Arc<Finished>);
+
+struct Finished {
+    cell: Cell,
+    bbox: OnceLock<Option<Rect>>,
+    hull: OnceLock<Box<[Point]>>,
+    content: OnceLock<Digest>,
+    drawing: OnceLock<Digest>,
+}
+
+impl Device {
+    /// Opens a new, empty cell.
+    #[must_use]
+    pub fn builder(name: impl AsRef<str>) -> DeviceBuilder {
+        DeviceBuilder::new(name.as_ref())
+    }
+
+    pub(crate) fn from_cell(cell: Cell) -> Self {
+        Self(Arc::new(Finished {
+            cell,
+            bbox: OnceLock::new(),
+            hull: OnceLock::new(),
+            content: OnceLock::new(),
+            drawing: OnceLock::new(),
+        }))
+    }
+
+    /// Opens a copy of this cell. The copy keeps the name, and forgets the generator that drew the original.
+    #[must_use]
+    pub fn edit(&self) -> DeviceBuilder {
+        DeviceBuilder::from_cell(Cell { source: None, ..self.cell().clone() })
+    }
+
+    /// A placement of this cell at the origin.
+    #[must_use]
+    pub fn place(&self) -> Reference {
+        Reference::new(self.clone(), Transform::IDENTITY)
+    }
+
+    /// A regular array of this cell from the origin on: `spacing` is from column to column and from row to row (µm).
+    #[must_use]
+    pub fn array(&self, columns: u32, rows: u32, spacing: impl Into<Point>) -> Reference {
+        let spacing = spacing.into();
+        self.place().with_array(Array {
+            columns,
+            rows,
+            column_step: Point::new(spacing.x, 0.0),
+            row_step: Point::new(0.0, spacing.y),
+        })
+    }
+
+    /// The name of the cell. Files may need another one; they get it when they are written.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.cell().name
+    }
+
+    /// Whether both are one and the same cell.
+    #[must_use]
+    pub fn same_cell(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+
+    /// A number that tells this cell from every other one that is alive: for tables of cells within a program run.
+    #[must_use]
+    pub fn address(&self) -> usize {
+        Arc::as_ptr(&self.0) as usize
+    }
+
+    /// A port.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`](crate::Error::Unknown) with the names that are there.
+    pub fn port(&self, name: &str) -> Result<&Port> {
+        self.cell().port(name)
+    }
+
+    /// The ports, in the order in which they were added.
+    pub fn ports(&self) -> impl ExactSizeIterator<Item = &Port> {
+        self.cell().ports.values()
+    }
+
+    /// The reference under an alias.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`](crate::Error::Unknown) with the aliases that are there.
+    pub fn get(&self, alias: &str) -> Result<&Reference> {
+        Ok(&self.cell().references[self.cell().alias(alias)?])
+    }
+
+    /// The aliases with their references, in the order in which they were added.
+    pub fn aliases(&self) -> impl ExactSizeIterator<Item = (&str, &Reference)> {
+        self.cell().aliases.iter().map(|(alias, place)| (alias.as_str(), &self.cell().references[*place]))
+    }
+
+    /// The polygons of this cell itself, in the order in which they were added. For those of the whole hierarchy see
+    /// [`Device::flat_polygons`].
+    pub fn polygons(&self) -> impl ExactSizeIterator<Item = PolygonView<'_>> + DoubleEndedIterator + Clone {
+        self.cell().outlines.iter()
+    }
+
+    /// The references of this cell, in the order in which they were added.
+    #[must_use]
+    pub fn references(&self) -> &[Reference] {
+        &self.cell().references
+    }
+
+    /// The labels of this cell itself, in the order in which they were added.
+    #[must_use]
+    pub fn labels(&self) -> &[Label] {
+        &self.cell().labels
+    }
+
+    /// What was recorded about the cell.
+    #[must_use]
+    pub fn info(&self) -> &BTreeMap<String, Value> {
+        &self.cell().info
+    }
+
+    /// The generator that drew the cell, with its parameters, if one did.
+    #[must_use]
+    pub fn source(&self) -> Option<&Source> {
+        self.cell().source.as_deref()
+    }
+
+    /// Whether nothing is drawn in the cell or below it.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.bbox().is_none()
+    }
+
+    /// Identity of the content: equal for cells that agree in all they hold (drawing, names, ports, info, generator),
+    /// on every machine and in every run. Computed when first asked for.
+    #[must_use]
+    pub fn content_hash(&self) -> Digest {
+        *self.0.content.get_or_init(|| hash::content(self.cell()))
+    }
+
+    /// Identity of the drawing: equal for cells that a file could not tell apart (polygons, references and labels, in
+    /// order, all the way down), whatever their names, ports and info. Computed when first asked for.
+    #[must_use]
+    pub fn drawing_hash(&self) -> Digest {
+        *self.0.drawing.get_or_init(|| hash::drawing(self.cell()))
+    }
+
+    /// The order-sensitive SHA-1 of the reference library over all polygons of the hierarchy, as 40 hexadecimal
+    /// digits: for comparing results. Coordinates are cut off at `precision` (µm, usually 1e-4).
+    ///
+    /// Layers, vertex order and first vertices matter; polygon order, hierarchy, ports and labels do not.
+    ///
+    /// # Errors
+    /// [`Error::Refused`](crate::Error::Refused) unless the precision is a positive length.
+    pub fn hash_geometry(&self, precision: f64) -> Result<String> {
+        hash::geometry(self, precision)
+    }
+
+    /// The corners of the convex hull of everything drawn: what the box of a turned placement depends on.
+    #[must_use]
+    pub fn hull(&self) -> &[Point] {
+        self.0.hull.get_or_init(|| hull_of(self.cell()).into())
+    }
+
+    /// The layers that polygons of this cell and below are drawn on, ascending.
+    #[must_use]
+    pub fn layers(&self) -> Vec<Layer> {
+        let mut layers: Vec<Layer> =
+            self.cells().iter().flat_map(|cell| cell.polygons().map(|p| p.layer).collect::<Vec<_>>()).collect();
+        layers.sort_unstable();
+        layers.dedup();
+        layers
+    }
+
+    pub(crate) fn cell(&self) -> &Cell {
+        &self.0.cell
+    }
+
+    /// The same cell with the record of the generator that drew it.
+    pub(crate) fn with_source(self, source: Source) -> Self {
+        let source = Some(Arc::new(source));
+        match Arc::try_unwrap(self.0) {
+            Ok(finished) => Self::from_cell(Cell { source, ..finished.cell }),
+            Err(shared) => Self::from_cell(Cell { source, ..shared.cell.clone() }),
+        }
+    }
+
+    /// About how many bytes this cell itself takes, without the cells it refers to.
+    pub(crate) fn own_size(&self) -> usize {
+        let cell = self.cell();
+        let map_entry = 128;
+        size_of::<Finished>()
+            + cell.outlines.heap_size()
+            + cell.references.capacity() * size_of::<Reference>()
+            + cell.labels.capacity() * size_of::<Label>()
+            + (cell.ports.len() + cell.aliases.len() + cell.info.len()) * map_entry
+    }
+}
+
+/// The hull of a cell: of its own points and of the hulls of what it places.
+fn hull_of(cell: &Cell) -> Vec<Point> {
+    /// Own points are taken in by the lot, so that a huge cell does not copy all its points.
+    const LOT: usize = 4096;
+    let mut hull = Vec::new();
+    for lot in cell.outlines.all_points().chunks(LOT) {
+        hull.extend_from_slice(lot);
+        hull = convex_hull(hull);
+    }
+    for reference in &cell.references {
+        let Some(_) = reference.bbox() else { continue };
+        let (columns, rows) = reference.array().map_or((1, 1), |a| (a.columns, a.rows));
+        for (column, row) in [(0, 0), (columns - 1, 0), (0, rows - 1), (columns - 1, rows - 1)] {
+            let matrix = reference.element(column, row).matrix();
+            hull.extend(reference.device().hull().iter().map(|p| matrix.apply(*p)));
+        }
+        if hull.len() > LOT {
+            hull = convex_hull(hull);
+        }
+    }
+    convex_hull(hull)
+}
+
+impl Bounded for Device {
+    /// The box around all polygons and references; ports and labels do not count. Remembered after the first call.
+    fn bbox(&self) -> Option<Rect> {
+        *self.0.bbox.get_or_init(|| self.cell().bbox())
+    }
+}
+
+impl PartialEq for Device {
+    fn eq(&self, other: &Self) -> bool {
+        self.same_cell(other) || self.content_hash() == other.content_hash()
+    }
+}
+
+impl Eq for Device {}
+
+impl std::fmt::Debug for Device {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        std::fmt::Display::fmt(self, f)
+    }
+}
+
+impl std::fmt::Display for Device {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let cell = self.cell();
+        write!(
+            f,
+            "Device (name {:?}, ports {:?}, aliases {:?}, {} polygons, {} references)",
+            cell.name,
+            cell.ports.keys().collect::<Vec<_>>(),
+            cell.aliases.keys().collect::<Vec<_>>(),
+            cell.outlines.len(),
+            cell.references.len()
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn devices_can_be_shared_between_threads() {
+        fn assert_shared<T: Send + Sync + Clone>() {}
+        assert_shared::<Device>();
+    }
+}

@@ -1,0 +1,189 @@
+//! [`Group`]: several placed things handled as one.
+
+use super::{Device, Label, Polygon, Reference};
+use crate::geom::{Point, Rect, Transform};
+use crate::place::{Arrange, Bounded, PlaceFault, Transformable};
+
+/// Something that has a place in a cell.
+#[derive(Debug, Clone, PartialEq)]
+#[expect(missing_docs, reason = "the variants hold what they are called")]
+pub enum Element {
+    Reference(Reference),
+    Polygon(Polygon),
+    Label(Label),
+}
+
+/// Several placed things handled as one, in their order. `a + b` makes a group; a group in a group is taken apart.
+///
+/// For things that stand in an open cell already, see [`DeviceBuilder::group`](super::DeviceBuilder::group).
+///
+/// ```
+/// # use phidl_core::prelude::*;
+/// let square = Polygon::new([(0, 0), (2, 0), (2, 2), (0, 2)], 1);
+/// let mut pair = square.clone() + square.moved_by((10, 0));
+/// pair.rotate(90).set_xmin(0);
+/// assert_eq!(pair.bbox(), Some(Rect::new((0, 0), (2, 12))));
+/// ```
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Group {
+    members: Vec<Element>,
+    fault: Option<Box<PlaceFault>>,
+}
+
+impl Group {
+    /// A group without members.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Adds a thing at the end.
+    pub fn add(&mut self, member: impl Into<Element>) -> &mut Self {
+        self.members.push(member.into());
+        self
+    }
+
+    /// The members, in order.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = &Element> {
+        self.members.iter()
+    }
+
+    /// How many members there are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.members.len()
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.members.is_empty()
+    }
+
+    pub(crate) fn fault(&self) -> Option<PlaceFault> {
+        self.fault.as_deref().copied()
+    }
+}
+
+impl IntoIterator for Group {
+    type Item = Element;
+    type IntoIter = std::vec::IntoIter<Element>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.members.into_iter()
+    }
+}
+
+impl FromIterator<Element> for Group {
+    fn from_iter<I: IntoIterator<Item = Element>>(members: I) -> Self {
+        Self { members: members.into_iter().collect(), fault: None }
+    }
+}
+
+impl<E: Into<Element>> std::ops::Add<E> for Group {
+    type Output = Self;
+    fn add(mut self, other: E) -> Self {
+        self.members.push(other.into());
+        self
+    }
+}
+
+impl<E: Into<Element>> std::ops::AddAssign<E> for Group {
+    fn add_assign(&mut self, other: E) {
+        self.members.push(other.into());
+    }
+}
+
+impl Extend<Element> for Group {
+    fn extend<I: IntoIterator<Item = Element>>(&mut self, members: I) {
+        self.members.extend(members);
+    }
+}
+
+impl Bounded for Group {
+    fn bbox(&self) -> Option<Rect> {
+        Rect::union_all(self.members.iter().map(Bounded::bbox))
+    }
+}
+
+impl Transformable for Group {
+    fn transform_mut(&mut self, by: &Transform) {
+        self.members.iter_mut().for_each(|member| member.transform_mut(by));
+    }
+
+    fn refuse(&mut self, fault: PlaceFault) {
+        self.fault.get_or_insert(Box::new(fault));
+    }
+}
+
+impl Arrange for Group {
+    fn member_boxes(&self) -> Vec<Option<Rect>> {
+        self.members.iter().map(Bounded::bbox).collect()
+    }
+
+    fn move_member(&mut self, index: usize, by: Point) {
+        self.members[index].transform_mut(&Transform::translation(by));
+    }
+
+    fn refuse_arrangement(&mut self, fault: PlaceFault) {
+        self.refuse(fault);
+    }
+}
+
+impl Bounded for Element {
+    fn bbox(&self) -> Option<Rect> {
+        match self {
+            Self::Reference(reference) => reference.bbox(),
+            Self::Polygon(polygon) => polygon.bbox(),
+            Self::Label(label) => label.bbox(),
+        }
+    }
+}
+
+impl Transformable for Element {
+    fn transform_mut(&mut self, by: &Transform) {
+        match self {
+            Self::Reference(reference) => reference.transform_mut(by),
+            Self::Polygon(polygon) => polygon.transform_mut(by),
+            Self::Label(label) => label.transform_mut(by),
+        }
+    }
+
+    fn refuse(&mut self, fault: PlaceFault) {
+        match self {
+            Self::Reference(reference) => reference.refuse(fault),
+            Self::Polygon(polygon) => polygon.refuse(fault),
+            Self::Label(label) => label.refuse(fault),
+        }
+    }
+}
+
+impl From<Reference> for Element {
+    fn from(reference: Reference) -> Self {
+        Self::Reference(reference)
+    }
+}
+
+impl From<Device> for Element {
+    fn from(device: Device) -> Self {
+        Self::Reference(device.place())
+    }
+}
+
+impl From<&Device> for Element {
+    fn from(device: &Device) -> Self {
+        Self::Reference(device.place())
+    }
+}
+
+impl From<Polygon> for Element {
+    fn from(polygon: Polygon) -> Self {
+        Self::Polygon(polygon)
+    }
+}
+
+impl From<Label> for Element {
+    fn from(label: Label) -> Self {
+        Self::Label(label)
+    }
+}

@@ -1,0 +1,114 @@
+//! [`Label`]: a text that names a place. It is not drawn on the mask.
+
+use super::{Element, Group, Properties};
+use crate::geom::{Point, Rect, Transform};
+use crate::layer::Layer;
+use crate::place::{Bounded, PlaceFault, Transformable};
+
+/// Which point of the text stands at the label's position.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[expect(missing_docs, reason = "compass points need no words")]
+pub enum Anchor {
+    NorthWest,
+    North,
+    NorthEast,
+    West,
+    #[default]
+    Center,
+    East,
+    SouthWest,
+    South,
+    SouthEast,
+}
+
+/// A text at a position. Its box is that position; turning and mirroring turn and mirror the text as well.
+///
+/// ```
+/// # use phidl_core::prelude::*;
+/// let label = Label::new("pad 1", (3, 4), 10).anchored(Anchor::SouthWest).rotated(90);
+/// assert_eq!((label.position(), label.rotation()), (Point::new(-4.0, 3.0), 90.0));
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Label {
+    /// What it says.
+    pub text: String,
+    /// Layer and texttype.
+    pub layer: Layer,
+    /// Which point of the text stands at the position.
+    pub anchor: Anchor,
+    /// Texts that a file keeps with it.
+    pub properties: Properties,
+    transform: Transform,
+    fault: Option<Box<PlaceFault>>,
+}
+
+impl Label {
+    /// A level text of magnification 1, centered at a position.
+    pub fn new(text: impl Into<String>, position: impl Into<Point>, layer: impl Into<Layer>) -> Self {
+        Self {
+            text: text.into(),
+            layer: layer.into(),
+            anchor: Anchor::Center,
+            properties: Properties::new(),
+            transform: Transform::translation(position),
+            fault: None,
+        }
+    }
+
+    /// The same with another point of the text at the position.
+    #[must_use]
+    pub fn anchored(self, anchor: Anchor) -> Self {
+        Self { anchor, ..self }
+    }
+
+    /// The same with another placement altogether.
+    #[must_use]
+    pub fn with_transform(self, transform: Transform) -> Self {
+        Self { transform, ..self }
+    }
+
+    /// Where it stands.
+    #[must_use]
+    pub fn position(&self) -> Point {
+        self.transform.origin
+    }
+
+    /// How far the text is turned (degrees, in `[0, 360)`).
+    #[must_use]
+    pub fn rotation(&self) -> f64 {
+        self.transform.rotation
+    }
+
+    /// Position, turn, magnification and reflection in one.
+    #[must_use]
+    pub fn transform(&self) -> &Transform {
+        &self.transform
+    }
+
+    pub(crate) fn fault(&self) -> Option<PlaceFault> {
+        self.fault.as_deref().copied()
+    }
+}
+
+impl Bounded for Label {
+    fn bbox(&self) -> Option<Rect> {
+        Some(Rect { min: self.position(), max: self.position() })
+    }
+}
+
+impl Transformable for Label {
+    fn transform_mut(&mut self, by: &Transform) {
+        self.transform = self.transform.then(by);
+    }
+
+    fn refuse(&mut self, fault: PlaceFault) {
+        self.fault.get_or_insert(Box::new(fault));
+    }
+}
+
+impl<E: Into<Element>> std::ops::Add<E> for Label {
+    type Output = Group;
+    fn add(self, other: E) -> Group {
+        Group::from_iter([self.into(), other.into()])
+    }
+}

@@ -1,0 +1,75 @@
+//! [`Polygon`]: an outline on its own, before it belongs to a cell.
+
+use std::collections::BTreeMap;
+
+use super::{Element, Group};
+use crate::geom::{Outline, Point, Rect, Transform, signed_area, simplified};
+use crate::layer::Layers;
+use crate::place::{Bounded, PlaceFault, Transformable};
+
+/// Numbered texts that a file keeps with an element (GDSII's property attributes).
+pub type Properties = BTreeMap<u16, String>;
+
+/// An outline with the layers it is drawn on: a plain value to move and relate before it is added to a cell.
+///
+/// Points are kept as given: order, direction, first point, and a repeated closing point.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Polygon {
+    /// The corners, in order.
+    pub points: Vec<Point>,
+    /// Where it is drawn.
+    pub layers: Layers,
+    /// Texts that a file keeps with it.
+    pub properties: Properties,
+    pub(crate) fault: Option<Box<PlaceFault>>,
+}
+
+impl Polygon {
+    /// A polygon from its corners (pairs or two coordinate lists) and its layers.
+    pub fn new(outline: impl Outline, layers: impl Into<Layers>) -> Self {
+        Self { points: outline.into_points(), layers: layers.into(), properties: Properties::new(), fault: None }
+    }
+
+    /// The same with one more property.
+    #[must_use]
+    pub fn with_property(mut self, attribute: u16, text: impl Into<String>) -> Self {
+        self.properties.insert(attribute, text.into());
+        self
+    }
+
+    /// Area (µm²) of one copy, whatever the direction of the outline.
+    #[must_use]
+    pub fn area(&self) -> f64 {
+        signed_area(&self.points).abs()
+    }
+
+    /// Takes out the points that are not needed to stay within `tolerance` (µm); see [`simplified`].
+    pub fn simplify(&mut self, tolerance: f64) -> &mut Self {
+        self.points = simplified(&self.points, tolerance);
+        self
+    }
+}
+
+impl Bounded for Polygon {
+    fn bbox(&self) -> Option<Rect> {
+        Rect::around(self.points.iter().copied())
+    }
+}
+
+impl Transformable for Polygon {
+    fn transform_mut(&mut self, by: &Transform) {
+        let matrix = by.matrix();
+        self.points.iter_mut().for_each(|p| *p = matrix.apply(*p));
+    }
+
+    fn refuse(&mut self, fault: PlaceFault) {
+        self.fault.get_or_insert(Box::new(fault));
+    }
+}
+
+impl<E: Into<Element>> std::ops::Add<E> for Polygon {
+    type Output = Group;
+    fn add(self, other: E) -> Group {
+        Group::from_iter([self.into(), other.into()])
+    }
+}

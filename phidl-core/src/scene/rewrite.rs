@@ -1,0 +1,101 @@
+//! Visiting each distinct cell of a hierarchy once, to read it or to make a changed copy.
+
+use std::collections::{BTreeMap, HashMap, HashSet};
+
+use super::{Cell, Device};
+use crate::layer::Layer;
+use crate::param::Value;
+
+impl Device {
+    /// Every distinct cell of the hierarchy once: this one first, and every cell before those that it places.
+    #[must_use]
+    pub fn cells(&self) -> Vec<Device> {
+        let mut seen = HashSet::new();
+        let mut finished = Vec::new();
+        // Depth first, finishing children before parents; the reverse of that is the promised order. An explicit stack,
+        // since a chain of cells can be deep.
+        let mut stack = vec![(self, 0)];
+        seen.insert(self.address());
+        while let Some((device, next)) = stack.pop() {
+            match device.references().get(next) {
+                None => finished.push(device.clone()),
+                Some(reference) => {
+                    stack.push((device, next + 1));
+                    if seen.insert(reference.device().address()) {
+                        stack.push((reference.device(), 0));
+                    }
+                }
+            }
+        }
+        finished.reverse();
+        finished
+    }
+
+    /// The info of every distinct cell of the hierarchy below this one, in the order of [`Device::cells`], each with
+    /// its cell. The cell's own info is [`Device::info`].
+    #[must_use]
+    pub fn info_below(&self) -> Vec<(Device, BTreeMap<String, Value>)> {
+        let below = self.cells().into_iter().skip(1);
+        below.map(|cell| (cell.clone(), cell.info().clone())).collect()
+    }
+
+    /// Area per layer of everything drawn in the hierarchy (µm²); where polygons overlap, both count.
+    #[must_use]
+    pub fn area_by_layer(&self) -> BTreeMap<Layer, f64> {
+        let mut areas: HashMap<usize, BTreeMap<Layer, f64>> = HashMap::new();
+        for cell in self.cells().iter().rev() {
+            let mut area: BTreeMap<Layer, f64> = BTreeMap::new();
+            for polygon in cell.polygons() {
+                *area.entry(polygon.layer).or_default() += polygon.area();
+            }
+            for reference in cell.references() {
+                let factor = reference.transform().magnification.powi(2) * reference.count() as f64;
+                for (layer, below) in &areas[&reference.device().address()] {
+                    *area.entry(*layer).or_default() += below * factor;
+                }
+            }
+            areas.insert(cell.address(), area);
+        }
+        areas.remove(&self.address()).unwrap_or_default()
+    }
+
+    /// Area of everything drawn in the hierarchy (µm²); where polygons overlap, both count.
+    #[must_use]
+    pub fn area(&self) -> f64 {
+        self.area_by_layer().values().sum()
+    }
+}
+
+/// Changes a cell and all cells below it, each distinct one once, into copies; `change` says whether it changed anything.
+/// What neither changes nor places anything changed stays the same cell.
+pub(super) fn rewrite_below(cell: &mut Cell, mut change: impl FnMut(&mut Cell) -> bool) {
+    let roots: Vec<Device> = cell.references.iter().map(|reference| reference.device().clone()).collect();
+    let mut changed: HashMap<usize, Device> = HashMap::new();
+    for root in roots {
+        for device in root.cells().iter().rev() {
+            if changed.contains_key(&device.address()) {
+                continue;
+            }
+            let mut copy = Cell { source: None, ..device.cell().clone() };
+            let below = retarget(&mut copy, &changed);
+            let own = change(&mut copy);
+            let result = if below || own { Device::from_cell(copy) } else { device.clone() };
+            changed.insert(device.address(), result);
+        }
+    }
+    retarget(cell, &changed);
+    change(cell);
+}
+
+/// Points references to the changed cells; says whether there were any.
+fn retarget(cell: &mut Cell, changed: &HashMap<usize, Device>) -> bool {
+    let mut any = false;
+    for reference in &mut cell.references {
+        let Some(device) = changed.get(&reference.device().address()) else { continue };
+        if !device.same_cell(reference.device()) {
+            reference.set_device(device.clone());
+            any = true;
+        }
+    }
+    any
+}
