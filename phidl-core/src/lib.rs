@@ -1,4 +1,7 @@
 //! The scene graph of phidl.
+#[doc(hidden)]
+#[path = "private.rs"]
+pub mod __private;
 pub mod error;
 pub mod geom;
 pub mod hash;
@@ -8,6 +11,8 @@ pub mod param;
 pub mod place;
 pub mod port;
 pub mod prelude;
+pub mod runtime;
 pub mod scene;
 
 pub use error::{Error, Result};
+pub use runtime::{Generator, cache, registry};
