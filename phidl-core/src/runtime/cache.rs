@@ -90,12 +90,15 @@ impl State {
         Some(device)
     }
 
-    pub(super) fn keep(&mut self, key: Key, device: Device) {
-        self.stats.bytes += device.own_size();
-        if let Some(replaced) = self.done.put(key, device) {
-            self.stats.bytes -= replaced.own_size();
+    /// Keeps a cell, unless one is kept for the key: that one is returned.
+    pub(super) fn keep_first(&mut self, key: &Key, device: Device) -> Device {
+        if let Some(first) = self.done.get(key) {
+            return first.clone();
         }
+        self.stats.bytes += device.own_size();
+        self.done.put(key.clone(), device.clone());
         self.evict();
+        device
     }
 
     fn evict(&mut self) {

@@ -13,6 +13,7 @@ mod key;
 mod reader;
 mod recipe;
 pub mod registry;
+mod worker;
 
 pub use entry::{Entry, ParamInfo, Row};
 pub use generator::{Generator, Record};
