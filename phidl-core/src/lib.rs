@@ -26,7 +26,8 @@
 //! | [`Layer`](layer::Layer), [`Layers`](layer::Layers), [`LayerSet`](layer::LayerSet) | one; one, several or none; named and colored | [`layer`] |
 //! | [`Point`](geom::Point), [`Transform`](geom::Transform), [`Rect`](geom::Rect) | coordinates, GDSII's placements, boxes | [`geom`] |
 //! | [`Grid`](num::grid::Grid), angles, point counts | the one rounding rule; exact quarter turns | [`num`] |
-//! | [`Value`](param::Value) | what parameters and info records are made of | [`param`] |
+//! | [`Value`](param::Value), [`Check`](param::Check) | what parameters and info records are made of; rules over parameters | [`param`] |
+//! | [`Generator`], [`cache`], [`registry`] | what `#[device]` of phidl-macros makes of a function | [`runtime`] |
 //!
 //! # Conventions
 //! Lengths are micrometers in `f64`, angles are degrees counter-clockwise, y is up. Multiples of 90° are exact. A
@@ -38,6 +39,9 @@
 //!
 //! This crate knows no file format, no boolean engine and no clock, and it never prints.
 
+#[doc(hidden)]
+#[path = "private.rs"]
+pub mod __private;
 pub mod error;
 pub mod geom;
 pub mod hash;
@@ -47,6 +51,8 @@ pub mod param;
 pub mod place;
 pub mod port;
 pub mod prelude;
+pub mod runtime;
 pub mod scene;
 
 pub use error::{Error, Result};
+pub use runtime::{Generator, cache, registry};

@@ -1,5 +1,4 @@
 //! The borders between the crates that ARCHITECTURE.md promises, read off the manifests and sources.
-#![expect(missing_docs, reason = "tests explain themselves by their names")]
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -101,8 +100,7 @@ fn foreign_engines_are_met_in_one_place() {
 #[test]
 fn core_knows_no_clock_and_no_format_and_never_prints() {
     for word in ["SystemTime", "Instant::", "println!", "eprintln!", "serde_json", "std::fs", "std::io"] {
-        let places: Vec<_> =
-            places_naming(word).into_keys().filter(|file| file.starts_with("phidl-core")).collect();
+        let places: Vec<_> = places_naming(word).into_keys().filter(|file| file.starts_with("phidl-core")).collect();
         assert!(places.is_empty(), "{word} in {places:?}");
     }
     let rayon: Vec<_> = places_naming("rayon").into_keys().filter(|file| file.starts_with("phidl-core")).collect();
