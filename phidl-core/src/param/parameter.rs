@@ -259,13 +259,23 @@ impl Param for Layers {
     }
 }
 
+/// The entry of a port whose placement was refused: the word. Without it, such a port would look like a sound one to
+/// the cache. [`Bounds`](super::Bounds) refuse the entry.
+pub(super) const REFUSED: &str = "refused";
+
 impl Param for Port {
     fn kind() -> Kind {
         Kind::Port
     }
 
     fn to_value(&self) -> Value {
-        self.into()
+        match (self.into(), self.refused_word()) {
+            (Value::Map(mut map), Some(word)) => {
+                map.insert(REFUSED.to_owned(), word.into());
+                Value::Map(map)
+            }
+            (value, _) => value,
+        }
     }
 
     fn from_value(value: &Value) -> Result<Self, Mismatch> {
