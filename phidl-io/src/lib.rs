@@ -2,5 +2,6 @@
 pub mod atomic;
 mod error;
 pub mod gds;
+pub mod summary;
 
 pub use error::{IoError, Item, Result};
