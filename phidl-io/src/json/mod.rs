@@ -1,0 +1,10 @@
+//! Devices as JSON: [`describe`] for comparing, [`metadata`] to lie beside a mask file.
+//!
+//! Reading is not part of it: a device is built from JSON by its generator, never from its drawing.
+
+mod describe;
+mod metadata;
+mod value;
+
+pub use describe::describe;
+pub use metadata::metadata;
