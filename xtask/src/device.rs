@@ -67,7 +67,7 @@ fn write(device: &Device, out: &Path) -> anyhow::Result<()> {
 fn many(batch: &Path, out_dir: &Path) -> anyhow::Result<()> {
     let text = std::fs::read_to_string(batch).with_context(|| batch.display().to_string())?;
     let entries: Vec<Json> = serde_json::from_str(&text).with_context(|| batch.display().to_string())?;
-    atomic::create_folder(out_dir).map_err(|error| anyhow::anyhow!(error.in_full()))?;
+    std::fs::create_dir_all(out_dir).with_context(|| out_dir.display().to_string())?;
     let progress = Progress::new();
     let mut refused = 0;
     let mut homeless = Vec::new();

@@ -52,17 +52,15 @@ fn build(mask: &Mask, flags: &MaskFlags) -> anyhow::Result<()> {
     drop(progress);
     let after = cache::stats();
     print(mask.name, &report);
-    println!("cache        {} hits, {} drawn", after.hits - before.hits, after.misses - before.misses);
-    println!("time         {:.2} s\n", start.elapsed().as_secs_f64());
+    println!("cache      {} hits, {} drawn", after.hits - before.hits, after.misses - before.misses);
+    println!("time       {:.2} s\n", start.elapsed().as_secs_f64());
     Ok(())
 }
 
 fn print(name: &str, report: &MaskReport) {
-    println!("mask         {name}");
+    println!("mask       {name}");
     for file in &report.files {
-        println!("             {}", file.display());
+        println!("           {}", file.display());
     }
-    println!("cells        {}", report.gds.cells.len());
     println!("{}", report.summary);
-    println!("sha-256      {}", report.sha256);
 }

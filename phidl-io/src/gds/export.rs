@@ -84,7 +84,7 @@ fn encode(
     options: &GdsOptions,
     mut put: impl FnMut(&[u8]) -> Result<()>,
 ) -> Result<GdsReport> {
-    let table = CellTable::new(device, options.top_name.as_deref(), options.max_cellname_length);
+    let table = CellTable::of(device, options)?;
     // Only a text that is too long for a record can fail in gds21, and those are refused before.
     let too_long = |error| IoError::option("limits", error, "fit the records of the format");
     let frame = Frame::new(&options.library_name, options.date, options.units(grid)).map_err(too_long)?;

@@ -71,12 +71,7 @@ fn import(bytes: &[u8], file: &str, options: &ReadOptions) -> Result<Import> {
 }
 
 /// The cell that was asked for, or the only one that no other places.
-fn choose(
-    cells: &[OpenCell],
-    names: &HashMap<String, usize>,
-    file: &str,
-    options: &ReadOptions,
-) -> Result<usize> {
+fn choose(cells: &[OpenCell], names: &HashMap<String, usize>, file: &str, options: &ReadOptions) -> Result<usize> {
     let known = || cells.iter().map(|cell| cell.name.clone()).collect();
     if let Some(name) = &options.cellname {
         let unknown = || IoError::UnknownCell { file: file.into(), name: name.as_str().into(), cells: known() };

@@ -43,7 +43,8 @@ fn cell(name: &str, elements: &[Vec<u8>]) -> Vec<u8> {
 
 fn library(cells: &[Vec<u8>]) -> Vec<u8> {
     let units = [0x3e, 0x41, 0x89, 0x37, 0x4b, 0xc6, 0xa7, 0xf0, 0x39, 0x44, 0xb8, 0x2f, 0xa0, 0x9b, 0x5a, 0x54];
-    let head = [number(0, 600), record(0x01, 2, &[0; 24]), text(0x1f, b"other"), text(0x02, b"lib"), record(3, 5, &units)];
+    let head =
+        [number(0, 600), record(0x01, 2, &[0; 24]), text(0x1f, b"other"), text(0x02, b"lib"), record(3, 5, &units)];
     [head.concat(), cells.concat(), record(0x04, 0, &[])].concat()
 }
 
