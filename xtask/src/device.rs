@@ -20,7 +20,9 @@ use crate::progress::Progress;
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Entry {
-    id: String,
+    /// Read before the rest, so that an entry with a mistake gets a file that says so.
+    #[serde(rename = "id")]
+    _id: String,
     device: String,
     #[serde(default)]
     params: BTreeMap<String, Value>,
