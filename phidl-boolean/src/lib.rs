@@ -1,1 +1,49 @@
-//! To be written.
+//! Exact, parallel booleans and offsets on an integer grid.
+
+mod contours;
+mod engine;
+mod error;
+mod grid;
+mod op;
+mod options;
+mod point;
+mod progress;
+mod region;
+
+pub use contours::Contours;
+pub use error::BooleanError;
+pub use grid::Grid;
+pub use op::Operation;
+pub use options::RunOptions;
+pub use point::{GridPoint, MAX_COORDINATE, signed_area2};
+pub use progress::{Progress, Watch};
+pub use region::{Polygon, Region};
+
+/// Runs a set operation on two layers of shapes.
+///
+/// Each operand is the union of its shapes, whatever their direction; a shape that crosses itself covers all its
+/// lobes. An empty operand is the empty set.
+///
+/// # Errors
+/// [`BooleanError::OutOfRange`] for a coordinate beyond ±[`MAX_COORDINATE`], [`BooleanError::Option`] for a bad
+/// option, [`BooleanError::TooLarge`] for more than 2³¹ edges, [`BooleanError::Cancelled`] if a [`Watch`] says so.
+///
+/// # Examples
+/// ```
+/// use phidl_boolean::{Grid, Operation, RunOptions, boolean};
+/// let grid = Grid::new(1e-3)?;
+/// let square = |x: f64| [(x, 0.0), (x + 2.0, 0.0), (x + 2.0, 2.0), (x, 2.0)];
+/// let (a, b) = (grid.snap([square(0.0)])?, grid.snap([square(1.0)])?);
+/// let both = boolean(&a, &b, Operation::And, &RunOptions::default())?;
+/// assert_eq!(both.area(), 1000.0 * 2000.0);
+/// # Ok::<(), phidl_boolean::BooleanError>(())
+/// ```
+pub fn boolean(
+    a: &Contours,
+    b: &Contours,
+    operation: Operation,
+    options: &RunOptions,
+) -> Result<Region, BooleanError> {
+    let rule = engine::Rule { operation, fill: op::Fill::NonZero };
+    engine::resolve([engine::Operand::Drawn(a), engine::Operand::Drawn(b)], rule, options)
+}
