@@ -3,7 +3,9 @@
 mod contours;
 mod engine;
 mod error;
+mod fracture;
 mod grid;
+mod offset;
 mod op;
 mod options;
 mod point;
@@ -13,6 +15,7 @@ mod region;
 pub use contours::Contours;
 pub use error::BooleanError;
 pub use grid::Grid;
+pub use offset::{Join, OffsetOptions, offset};
 pub use op::Operation;
 pub use options::RunOptions;
 pub use point::{GridPoint, MAX_COORDINATE, signed_area2};

@@ -4,10 +4,8 @@ use rayon::prelude::*;
 
 use super::Operand;
 use crate::{
-    contours::Contours,
     error::BooleanError,
     point::{GridPoint, cross, signed_area2},
-    region::Region,
 };
 
 /// Edge numbers are `u32`, and the top bit marks edges that reach over a seam.
@@ -44,7 +42,7 @@ impl Edge {
 /// The edges of both operands, with the contour that each belongs to.
 pub(super) struct Scene {
     pub(super) edges: Vec<Edge>,
-    /// Contour of each edge; those of the second operand count on from the first. Empty if nobody asks.
+    /// Contour of each edge; those of the second operand count on from the first.
     pub(super) contour_of: Vec<u32>,
     first_contours: usize,
     drawn: [bool; 2],
@@ -70,37 +68,12 @@ impl Scene {
 
     /// True if the contours of an operand are shapes as drawn, so that touching itself matters.
     pub(super) fn is_drawn(&self, contour: u32) -> bool {
-        self.drawn[usize::from(contour as usize >= self.first_contours)]
+        self.drawn[self.operand_of(contour)]
     }
 
-    /// The points of a contour by its running number.
-    pub(super) fn contour<'a>(&self, operands: &'a [Operand; 2], contour: u32) -> &'a [GridPoint] {
-        let contour = contour as usize;
-        let points = match contour.checked_sub(self.first_contours) {
-            None => operands[0].contours().get(contour),
-            Some(index) => operands[1].contours().get(index),
-        };
-        points.expect("invariant: contour numbers come from the operands")
-    }
-
-    /// The operands again, wound counter-clockwise, with the contours `which` (ascending) replaced by regions.
-    pub(super) fn replace(&self, operands: &[Operand; 2], which: &[u32], by: &[Region]) -> [Contours; 2] {
-        let mut replaced = which.iter().zip(by).peekable();
-        let mut number = 0;
-        operands.map(|operand| {
-            let mut result = Contours::with_capacity(operand.contours().len(), operand.contours().point_count());
-            for contour in operand.contours().iter() {
-                match replaced.next_if(|(which, _)| **which == number) {
-                    Some((_, region)) => result.append(region.contours()),
-                    None if self.is_drawn(number) && signed_area2(contour) < 0 => {
-                        result.push(contour.iter().rev().copied());
-                    }
-                    None => result.push(contour.iter().copied()),
-                }
-                number += 1;
-            }
-            result
-        })
+    /// The operand that a contour belongs to.
+    pub(super) fn operand_of(&self, contour: u32) -> usize {
+        usize::from(contour as usize >= self.first_contours)
     }
 
     fn add_operand(&mut self, operand: Operand, index: usize, first_contour: usize) {

@@ -19,6 +19,9 @@
 //!    lies on either side, and for the vertices in it, which boundary edge follows which. An edge that reaches over a
 //!    seam is the same edge on both sides. Outlines are only drawn after that, for the whole plane ([`trace`]).
 //!
+//! A drawn contour that touches itself is filled on its own between steps 2 and 3, from its bent pieces ([`apart`]):
+//! no second rounding.
+//!
 //! So there is nothing to stitch: no vertex, sliver or gap can be left on a seam because no seam ever produces
 //! geometry. The result is the undivided one, point for point and in the same order, for every strip size and every
 //! number of threads, and cost stays near-linear because a strip only looks at what touches it.
@@ -28,6 +31,7 @@
 //! see different bends, so rare pairs do not match); an off-the-shelf sweep for each tile (`i_overlay` rounds
 //! crossings in rounds that depend on the set of edges it sees; it serves our tests as an independent oracle).
 
+mod apart;
 mod edge;
 mod plan;
 mod snap;
@@ -35,7 +39,10 @@ mod span;
 mod sweep;
 mod trace;
 
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{
+    Mutex,
+    atomic::{AtomicUsize, Ordering},
+};
 
 use rayon::prelude::*;
 
@@ -49,6 +56,7 @@ use crate::{
 };
 use edge::Scene;
 use plan::StripPlan;
+use span::Spans;
 
 /// One side of an operation, as the engine takes it.
 #[derive(Clone, Copy)]
@@ -97,51 +105,23 @@ pub(crate) fn resolve(operands: [Operand; 2], rule: Rule, options: &RunOptions) 
 fn run(operands: [Operand; 2], rule: Rule, options: &RunOptions) -> Result<Region, BooleanError> {
     let scene = Scene::gather(&operands)?;
     let plan = StripPlan::new(&scene.edges, options.strip_vertices);
-    let work = Work::new(options.watch, 2 * plan.len());
+    let mut work = Work::new(options.watch, 2 * plan.len());
 
-    let mut snapped = work.each(plan.len(), |strip| snap::snap_strip(&scene, &plan, strip))?;
+    let mut snapped = work.each(plan.len(), |strip| snap::snap_strip(&scene, &plan, strip, &[]))?;
     let touching = snap::self_touching(&mut snapped);
     if !touching.is_empty() {
-        drop(snapped);
-        return with_simple_contours(operands, &scene, &touching, rule, options);
+        work.total += plan.len();
+        snapped = work.each(plan.len(), |strip| snap::snap_strip(&scene, &plan, strip, &touching))?;
     }
-
-    let spans = span::Spans::join(&scene.edges, &plan, &mut snapped);
+    let spans = Spans::join(&scene, &plan, &mut snapped, &touching);
     drop(scene);
-    let snapped: Vec<_> = snapped.into_iter().map(|strip| std::sync::Mutex::new(strip.pieces)).collect();
+
+    let pieces: Vec<_> = snapped.into_iter().map(|strip| Mutex::new(strip.pieces)).collect();
     let swept = work.each(plan.len(), |strip| {
-        let pieces = std::mem::take(&mut *snapped[strip].lock().expect("invariant: no strip panics holding its pieces"));
+        let pieces = std::mem::take(&mut *pieces[strip].lock().expect("invariant: each strip is taken once"));
         sweep::sweep_strip(pieces, &spans, strip, plan.columns(strip).1, rule)
     })?;
     Ok(trace::trace(&swept, spans.len()))
-}
-
-/// Runs again with the self-touching drawn contours replaced by their own outlines.
-///
-/// A drawn figure-eight winds +1 around one lobe and −1 around the other, and the −1 would cancel the +1 of another
-/// shape on top of it. On its own, each contour is filled by the non-zero rule; after that all winding is positive.
-fn with_simple_contours(
-    operands: [Operand; 2],
-    scene: &Scene,
-    touching: &[u32],
-    rule: Rule,
-    options: &RunOptions,
-) -> Result<Region, BooleanError> {
-    let alone = Rule { operation: Operation::Or, fill: Fill::NonZero };
-    let nothing = Contours::new();
-    let inner = RunOptions { watch: None, threads: None, ..*options };
-    let filled: Vec<Region> = touching
-        .par_iter()
-        .map(|&contour| {
-            Watch::check(options.watch)?;
-            let one: Contours = [scene.contour(&operands, contour).to_vec()].into_iter().collect();
-            run([Operand::Wound(&one), Operand::Wound(&nothing)], alone, &inner)
-        })
-        .collect::<Vec<_>>()
-        .into_iter()
-        .collect::<Result<_, _>>()?;
-    let simple = scene.replace(&operands, touching, &filled);
-    run([Operand::Wound(&simple[0]), Operand::Wound(&simple[1])], rule, options)
 }
 
 /// Runs the strips of a stage in parallel, reports progress and stops when cancelled.

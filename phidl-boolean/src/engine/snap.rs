@@ -32,6 +32,8 @@ pub(super) struct Snapped {
     pub(super) pieces: Vec<Edge>,
     /// Bends of the edges that reach into other strips, by edge and then along it.
     pub(super) bends: Vec<Bend>,
+    /// Like `pieces`, but of the contours that are filled apart; with the number of the contour.
+    pub(super) apart: Vec<(u32, Edge)>,
     /// Drawn contours that touch or cross themselves.
     touching: Vec<u32>,
 }
@@ -44,8 +46,8 @@ pub(super) fn self_touching(strips: &mut [Snapped]) -> Vec<u32> {
     all
 }
 
-/// Finds the bends of all edges inside one strip.
-pub(super) fn snap_strip(scene: &Scene, plan: &StripPlan, strip: usize) -> Snapped {
+/// Finds the bends of all edges inside one strip. The pieces of the contours `apart` (ascending) are kept apart.
+pub(super) fn snap_strip(scene: &Scene, plan: &StripPlan, strip: usize, apart: &[u32]) -> Snapped {
     let seen = plan.seen(strip);
     let edges: Vec<Edge> = seen.iter().map(|&number| scene.edges[number as usize]).collect();
     let columns = plan.columns(strip);
@@ -56,7 +58,7 @@ pub(super) fn snap_strip(scene: &Scene, plan: &StripPlan, strip: usize) -> Snapp
     snapper.crossings.dedup();
     let crossings = std::mem::take(&mut snapper.crossings);
     boxes.for_each_point(&crossings, |edge, point| snapper.pass(edge, point));
-    snapper.finish()
+    snapper.finish(apart)
 }
 
 struct Snapper<'a> {
@@ -157,7 +159,7 @@ impl Snapper<'_> {
         }
     }
 
-    fn finish(self) -> Snapped {
+    fn finish(self, apart: &[u32]) -> Snapped {
         let mut snapped = Snapped { touching: self.touching, ..Snapped::default() };
         snapped.touching.sort_unstable();
         snapped.touching.dedup();
@@ -166,28 +168,31 @@ impl Snapper<'_> {
         for (index, e) in self.edges.iter().enumerate() {
             let bends = along.sorted(index, e);
             let is_whole = e.l.x >= self.columns.0 && e.r.x <= self.columns.1;
-            if is_whole {
-                push_pieces(&mut snapped.pieces, e, bends);
-            } else {
+            let contour = self.scene.contour_of[self.seen[index] as usize];
+            if !is_whole {
                 snapped.bends.extend(bends.iter().map(|bend| Bend { edge: self.seen[index], at: bend.at }));
+            } else if apart.binary_search(&contour).is_ok() {
+                snapped.apart.extend(pieces(e, bends).map(|piece| (contour, piece)));
+            } else {
+                snapped.pieces.extend(pieces(e, bends));
             }
         }
         snapped
     }
 }
 
-/// Cuts an edge at its bends, which are in order and may repeat.
-pub(super) fn push_pieces(pieces: &mut Vec<Edge>, e: &Edge, bends: &[Bend]) {
-    let mut l = e.l;
-    for r in bends.iter().map(|bend| bend.at).chain([e.r]) {
-        match l.cmp(&r) {
-            Ordering::Less => pieces.push(Edge { l, r, delta: e.delta }),
+/// An edge cut at its bends, which are in order and may repeat.
+pub(super) fn pieces(e: &Edge, bends: &[Bend]) -> impl Iterator<Item = Edge> {
+    let (mut from, delta) = (e.l, e.delta);
+    bends.iter().map(|bend| bend.at).chain([e.r]).filter_map(move |to| {
+        let start = std::mem::replace(&mut from, to);
+        match start.cmp(&to) {
+            Ordering::Less => Some(Edge { l: start, r: to, delta }),
             // A falling edge that is bent within one grid column has a vertical piece, and those run upward.
-            Ordering::Greater => pieces.push(Edge { l: r, r: l, delta: e.delta.map(|d| -d) }),
-            Ordering::Equal => {}
+            Ordering::Greater => Some(Edge { l: to, r: start, delta: delta.map(|d| -d) }),
+            Ordering::Equal => None,
         }
-        l = r;
-    }
+    })
 }
 
 /// Bends grouped by edge.

@@ -1,14 +1,16 @@
 //! Edges that reach over a seam, bent by what all strips found along them.
 
 use super::{
-    edge::Edge,
+    apart::fill_apart,
+    edge::{Edge, Scene},
     plan::StripPlan,
-    snap::{Bend, Snapped, push_pieces},
+    snap::{Bend, Snapped, pieces},
 };
 
 /// The straight pieces that reach from one strip into another, numbered from left to right.
 ///
 /// A piece belongs to the strip of its left end and enters every strip after that, up to the one of its right end.
+#[derive(Default)]
 pub(super) struct Spans {
     pieces: Vec<Edge>,
     owned: Vec<usize>,
@@ -16,26 +18,33 @@ pub(super) struct Spans {
 }
 
 impl Spans {
-    /// Joins the bends of all strips. Pieces that stay in one strip are added to that strip.
-    pub(super) fn join(edges: &[Edge], plan: &StripPlan, strips: &mut [Snapped]) -> Self {
+    /// Joins the bends of all strips. Pieces that stay in one strip are added to that strip, after the contours `apart`
+    /// (ascending) have been filled.
+    pub(super) fn join(scene: &Scene, plan: &StripPlan, strips: &mut [Snapped], apart: &[u32]) -> Self {
         let mut bends: Vec<Bend> = Vec::with_capacity(strips.iter().map(|strip| strip.bends.len()).sum());
         strips.iter_mut().for_each(|strip| bends.append(&mut strip.bends));
         bends.sort_by_key(|bend| bend.edge); // stable: strips are in order along each edge
 
-        let (mut pieces, mut spans, mut rest) = (Vec::new(), Vec::new(), &bends[..]);
+        let mut spans = Vec::new();
+        let mut route = |piece: Edge, strips: &mut [Snapped]| {
+            let strip = plan.strip_of(piece.l.x);
+            if strip == plan.strip_of(piece.r.x) { strips[strip].pieces.push(piece) } else { spans.push(piece) }
+        };
+        let mut kept_apart: Vec<(u32, Edge)> =
+            strips.iter_mut().flat_map(|strip| std::mem::take(&mut strip.apart)).collect();
+        let mut rest = &bends[..];
         for &number in plan.long_edges() {
             let (own, others) = rest.split_at(rest.partition_point(|bend| bend.edge == number));
             rest = others;
-            push_pieces(&mut pieces, &edges[number as usize], own);
-            for piece in pieces.drain(..) {
-                let strip = plan.strip_of(piece.l.x);
-                if strip == plan.strip_of(piece.r.x) {
-                    strips[strip].pieces.push(piece);
-                } else {
-                    spans.push(piece);
-                }
+            let contour = scene.contour_of[number as usize];
+            let pieces = pieces(&scene.edges[number as usize], own);
+            if apart.binary_search(&contour).is_ok() {
+                kept_apart.extend(pieces.map(|piece| (contour, piece)));
+            } else {
+                pieces.for_each(|piece| route(piece, strips));
             }
         }
+        fill_apart(kept_apart, scene).into_iter().for_each(|piece| route(piece, strips));
         spans.sort_unstable_by_key(|span: &Edge| (span.l, span.r));
         merge_coinciding(&mut spans);
         Self::with_pieces(spans, plan)

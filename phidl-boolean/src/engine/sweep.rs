@@ -65,6 +65,25 @@ pub(super) fn sweep_strip(mut pieces: Vec<Edge>, spans: &Spans, strip: usize, la
     sweep.swept
 }
 
+/// The boundary pieces of what one operand covers, with windings that count it once.
+pub(super) fn boundary(mut pieces: Vec<Edge>, operand: usize, rule: Rule) -> Vec<Edge> {
+    pieces.sort_unstable_by(left_then_upward);
+    merge_coinciding(&mut pieces);
+    let spans = Spans::default();
+    let mut sweep = Sweep::new(rule, &spans, &pieces, i64::MAX);
+    sweep.run(pieces.len());
+    let once = |(piece, known): (&Edge, &Known)| {
+        let mut delta = [0, 0];
+        delta[operand] = match known.boundary {
+            Boundary::None => return None,
+            Boundary::CoveredAbove => 1,
+            Boundary::CoveredBelow => -1,
+        };
+        Some(Edge { delta, ..*piece })
+    };
+    pieces.iter().zip(&sweep.known).filter_map(once).collect()
+}
+
 struct Sweep<'a> {
     rule: Rule,
     spans: &'a Spans,

@@ -80,11 +80,21 @@ fn is_clear_of((a, b): (GridPoint, GridPoint), p: GridPoint, steps: f64) -> bool
     (apx - t * abx).hypot(apy - t * aby) > steps
 }
 
+/// Edges move by at most half a step in x and y, so a point farther than that keeps its side.
+const CLEAR: f64 = 0.75;
+
 /// Panics unless every probe that is not at an edge of the shapes is covered exactly if set theory says so.
 pub fn assert_covers_as_told(region: &Region, a: &Contours, b: &Contours, operation: Operation, probes: &[GridPoint]) {
     let all: Vec<_> = edges(a).into_iter().chain(edges(b)).collect();
-    // Edges move by at most half a step in x and y, so a point farther than that keeps its side.
-    for &p in probes.iter().filter(|&&p| all.iter().all(|&e| is_clear_of(e, p, 0.75))) {
+    for &p in probes.iter().filter(|&&p| all.iter().all(|&e| is_clear_of(e, p, CLEAR))) {
         assert_eq!(region.contains(p), operation.keeps(covers(a, p), covers(b, p)), "{operation:?} at {p:?}");
+    }
+}
+
+/// Panics unless both regions cover the same probes, as far as those are not at an edge.
+pub fn assert_same_cover(region: &Region, same: &Region, probes: &[GridPoint]) {
+    let edges = edges(same.contours());
+    for &p in probes.iter().filter(|&&p| edges.iter().all(|&e| is_clear_of(e, p, CLEAR))) {
+        assert_eq!(region.contains(p), same.contains(p), "at {p:?}");
     }
 }
