@@ -1,4 +1,31 @@
 //! Exact, parallel booleans and offsets on an integer grid.
+//!
+//! | To do | use |
+//! | --- | --- |
+//! | round micrometers to the grid | [`Grid::snap`], the only place where coordinates are rounded |
+//! | combine two layers of shapes | [`boolean`] |
+//! | merge one layer | [`Region::merged`] |
+//! | grow or shrink | [`offset()`], [`Region::offset`] |
+//! | work on with a result | [`Region`]: `&a \| &b`, `&a & &b`, `&a - &b`, `&a ^ &b`, area, box, point tests |
+//! | write it to a file | [`Region::without_holes`], [`Region::fractured`] |
+//! | watch, stop, choose threads | [`RunOptions`], [`Watch`] |
+//!
+//! # What is promised
+//!
+//! - Results depend on the shapes alone. Threads and strips change how long it takes, not one point of the outcome.
+//! - No edge moves by more than half a grid step in x or y, however crowded the place. Edges that need not bend keep
+//!   their points exactly, so upright shapes are combined without any error. (Combining a *result* again may bend an
+//!   edge that has come within half a step of a vertex; nothing moves on upright shapes.)
+//! - Any input is taken: crossing itself, repeated points, spikes, seams, no area at all. What is refused is refused
+//!   with a [`BooleanError`] that names the value and the rule.
+//! - Near-linear cost: a place is only compared with what is near it. The exception is a result that is itself larger:
+//!   `n` long lines across `n` others have `n²` crossings.
+//!
+//! The engine's module docs explain why a divided plane gives the undivided result.
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
 
 mod contours;
 mod engine;
@@ -41,12 +68,7 @@ pub use region::{Polygon, Region};
 /// assert_eq!(both.area(), 1000.0 * 2000.0);
 /// # Ok::<(), phidl_boolean::BooleanError>(())
 /// ```
-pub fn boolean(
-    a: &Contours,
-    b: &Contours,
-    operation: Operation,
-    options: &RunOptions,
-) -> Result<Region, BooleanError> {
+pub fn boolean(a: &Contours, b: &Contours, operation: Operation, options: &RunOptions) -> Result<Region, BooleanError> {
     let rule = engine::Rule { operation, fill: op::Fill::NonZero };
     engine::resolve([engine::Operand::Drawn(a), engine::Operand::Drawn(b)], rule, options)
 }

@@ -302,7 +302,10 @@ impl Corner {
 }
 
 /// The nearest whole number of steps; float noise is removed first, then halves round away from zero.
-#[expect(clippy::cast_possible_truncation, reason = "tips are at most a few distances away; the engine checks the range")]
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "tips are at most a few distances away; the engine checks the range"
+)]
 fn whole_steps(length: f64) -> i64 {
     const NOISE_PER_STEP: f64 = (1u32 << 20) as f64;
     ((length * NOISE_PER_STEP).round() / NOISE_PER_STEP).round() as i64

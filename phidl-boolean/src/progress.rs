@@ -73,6 +73,9 @@ impl Watch {
 
 impl fmt::Debug for Watch {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Watch").field("cancelled", &self.is_cancelled()).field("reports", &self.report.is_some()).finish()
+        f.debug_struct("Watch")
+            .field("cancelled", &self.is_cancelled())
+            .field("reports", &self.report.is_some())
+            .finish()
     }
 }

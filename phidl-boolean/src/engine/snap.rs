@@ -51,7 +51,8 @@ pub(super) fn snap_strip(scene: &Scene, plan: &StripPlan, strip: usize, apart: &
     let seen = plan.seen(strip);
     let edges: Vec<Edge> = seen.iter().map(|&number| scene.edges[number as usize]).collect();
     let columns = plan.columns(strip);
-    let mut snapper = Snapper { scene, seen, edges: &edges, columns, bends: Vec::new(), crossings: Vec::new(), touching: Vec::new() };
+    let mut snapper =
+        Snapper { scene, seen, edges: &edges, columns, bends: Vec::new(), crossings: Vec::new(), touching: Vec::new() };
     let boxes = Boxes::new(&edges, columns);
     boxes.for_each_pair(|a, b| snapper.meet(a, b));
     snapper.crossings.sort_unstable_by_key(|&p| boxes.axis.of(p));
@@ -202,7 +203,6 @@ struct Along {
 }
 
 impl Along {
-    #[expect(clippy::cast_possible_truncation, reason = "bends of one strip are far fewer than 2^32")]
     fn new(edges: usize, bends: Vec<Bend>) -> Self {
         let mut starts = vec![0; edges + 1];
         for bend in &bends {
@@ -372,7 +372,11 @@ fn crossing(e: &Edge, f: &Edge) -> GridPoint {
 }
 
 /// `length · part / whole` to the nearest integer, halves up; `whole` is positive.
-#[expect(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "the fast path checks its range and margin; the exact quotient is at most `length`")]
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_precision_loss,
+    reason = "the fast path checks its range and margin; the exact quotient is at most `length`"
+)]
 fn scale(length: i64, part: i128, whole: i128) -> i64 {
     let estimate = length as f64 * (part as f64 / whole as f64) + 0.5;
     let floor = estimate.floor();

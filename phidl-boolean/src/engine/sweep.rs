@@ -233,9 +233,5 @@ fn left_then_upward(a: &Edge, b: &Edge) -> Ordering {
 
 /// Order from bottom to top of pieces that all cross one vertical line and do not cross each other.
 fn upward_at_seam(a: &Edge, b: &Edge) -> Ordering {
-    if a.l >= b.l {
-        side(b.l, b.r, a.l).then_with(|| side(b.l, b.r, a.r))
-    } else {
-        upward_at_seam(b, a).reverse()
-    }
+    if a.l >= b.l { side(b.l, b.r, a.l).then_with(|| side(b.l, b.r, a.r)) } else { upward_at_seam(b, a).reverse() }
 }

@@ -18,11 +18,14 @@ fn is_inside_edge((a, b): (GridPoint, GridPoint), p: GridPoint) -> bool {
 }
 
 /// Panics unless outlines have real corners, the right direction, no crossings and nothing in common but points.
-pub fn assert_clean(region: &Region) {
+pub(crate) fn assert_clean(region: &Region) {
     for polygon in region.polygons() {
         assert!(signed_area2(polygon.outer()) > 0, "an outer outline runs clockwise");
         assert!(polygon.holes().all(|hole| signed_area2(hole) < 0), "a hole runs counter-clockwise");
-        assert!(polygon.holes().all(|hole| hole.iter().all(|&p| is_in_outline(polygon.outer(), p))), "a hole is outside");
+        assert!(
+            polygon.holes().all(|hole| hole.iter().all(|&p| is_in_outline(polygon.outer(), p))),
+            "a hole is outside"
+        );
     }
     for contour in region.contours().iter() {
         assert_eq!(contour.iter().min(), contour.first(), "an outline does not begin at its leftmost point");
@@ -39,7 +42,9 @@ pub fn assert_clean(region: &Region) {
             };
             assert!(!(properly(e, f) && properly(f, e)), "{e:?} crosses {f:?}");
             assert!(e != f && e != (f.1, f.0), "{e:?} occurs twice");
-            let overlap = [f.0, f.1].into_iter().any(|p| is_inside_edge(e, p)) && cross(e.0, e.1, f.0) == 0 && cross(e.0, e.1, f.1) == 0;
+            let overlap = [f.0, f.1].into_iter().any(|p| is_inside_edge(e, p))
+                && cross(e.0, e.1, f.0) == 0
+                && cross(e.0, e.1, f.1) == 0;
             assert!(!overlap, "{e:?} lies on {f:?}");
         }
     }
@@ -84,7 +89,13 @@ fn is_clear_of((a, b): (GridPoint, GridPoint), p: GridPoint, steps: f64) -> bool
 const CLEAR: f64 = 0.75;
 
 /// Panics unless every probe that is not at an edge of the shapes is covered exactly if set theory says so.
-pub fn assert_covers_as_told(region: &Region, a: &Contours, b: &Contours, operation: Operation, probes: &[GridPoint]) {
+pub(crate) fn assert_covers_as_told(
+    region: &Region,
+    a: &Contours,
+    b: &Contours,
+    operation: Operation,
+    probes: &[GridPoint],
+) {
     let all: Vec<_> = edges(a).into_iter().chain(edges(b)).collect();
     for &p in probes.iter().filter(|&&p| all.iter().all(|&e| is_clear_of(e, p, CLEAR))) {
         assert_eq!(region.contains(p), operation.keeps(covers(a, p), covers(b, p)), "{operation:?} at {p:?}");
@@ -92,7 +103,7 @@ pub fn assert_covers_as_told(region: &Region, a: &Contours, b: &Contours, operat
 }
 
 /// Panics unless both regions cover the same probes, as far as those are not at an edge.
-pub fn assert_same_cover(region: &Region, same: &Region, probes: &[GridPoint]) {
+pub(crate) fn assert_same_cover(region: &Region, same: &Region, probes: &[GridPoint]) {
     let edges = edges(same.contours());
     for &p in probes.iter().filter(|&&p| edges.iter().all(|&e| is_clear_of(e, p, CLEAR))) {
         assert_eq!(region.contains(p), same.contains(p), "at {p:?}");

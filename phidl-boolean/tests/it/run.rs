@@ -5,11 +5,9 @@ use std::sync::{
     atomic::{AtomicUsize, Ordering},
 };
 
-use phidl_boolean::{
-    BooleanError, Contours, GridPoint, MAX_COORDINATE, Operation, Region, RunOptions, Watch, boolean,
-};
+use phidl_boolean::{BooleanError, Contours, GridPoint, MAX_COORDINATE, Operation, Region, RunOptions, Watch, boolean};
 
-use crate::support::confetti;
+use crate::support::{apart, confetti};
 
 fn shape(points: &[(i64, i64)]) -> Contours {
     [points.iter().copied().map(GridPoint::from).collect::<Vec<_>>()].into_iter().collect()
@@ -66,7 +64,8 @@ fn coordinates_at_the_end_of_the_range_work_and_beyond_it_name_the_shape() {
 
 #[test]
 fn shapes_without_area_cover_nothing() {
-    for points in [&[][..], &[(1, 1)], &[(1, 1), (5, 5)], &[(0, 0), (9, 9), (4, 4)], &[(2, 2), (2, 2), (2, 2), (2, 2)]] {
+    for points in [&[][..], &[(1, 1)], &[(1, 1), (5, 5)], &[(0, 0), (9, 9), (4, 4)], &[(2, 2), (2, 2), (2, 2), (2, 2)]]
+    {
         assert!(merged(&shape(points)).is_empty(), "{points:?}");
     }
 }
@@ -90,8 +89,7 @@ fn both_lobes_of_a_figure_eight_count_even_on_top_of_another_shape() {
 
 #[test]
 fn a_keyhole_is_a_hole() {
-    let keyholed =
-        shape(&[(10, 10), (0, 10), (0, 3), (3, 3), (3, 7), (7, 7), (7, 3), (3, 3), (0, 3), (0, 0), (10, 0)]);
+    let keyholed = shape(&[(10, 10), (0, 10), (0, 3), (3, 3), (3, 7), (7, 7), (7, 3), (3, 3), (0, 3), (0, 0), (10, 0)]);
     let region = merged(&keyholed);
     assert_eq!((region.area(), region.contours().len()), (84.0, 2));
     let turned: Contours = keyholed.iter().map(|c| c.iter().rev().copied().collect::<Vec<_>>()).collect();
@@ -101,7 +99,10 @@ fn a_keyhole_is_a_hole() {
 #[test]
 fn the_example_that_breaks_hole_linking_elsewhere_has_its_correct_areas() {
     let micrometers = |shapes: &[&[(i64, i64)]]| -> Contours {
-        shapes.iter().map(|s| s.iter().map(|&(x, y)| GridPoint::new(x * 10_000, y * 10_000)).collect::<Vec<_>>()).collect()
+        shapes
+            .iter()
+            .map(|s| s.iter().map(|&(x, y)| GridPoint::new(x * 10_000, y * 10_000)).collect::<Vec<_>>())
+            .collect()
     };
     let first: [&[(i64, i64)]; 2] =
         [&[(12, 25), (28, 25), (21, 31), (5, 32)], &[(26, 3), (26, 21), (23, 26), (11, 20)]];
@@ -142,4 +143,17 @@ fn the_operation_is_the_set_algebra_for_empty_operands() {
         assert_eq!((run(&some, &none, operation), run(&none, &some, operation)), (a_only, b_only), "{operation:?}");
         assert_eq!(run(&none, &none, operation), 0.0);
     }
+}
+
+#[test]
+fn shapes_that_touch_nothing_keep_their_points() {
+    let scene = apart(200);
+    let region = merged(&scene);
+    assert_eq!(region.polygons().len(), scene.len());
+    let sorted = |contours: &Contours| {
+        let mut points = contours.points().to_vec();
+        points.sort_unstable();
+        points
+    };
+    assert_eq!(sorted(region.contours()), sorted(&scene));
 }
