@@ -31,6 +31,7 @@
 //! see different bends, so rare pairs do not match); an off-the-shelf sweep for each tile (`i_overlay` rounds
 //! crossings in rounds that depend on the set of edges it sees; it serves our tests as an independent oracle).
 
+mod active;
 mod apart;
 mod edge;
 mod plan;

@@ -4,10 +4,11 @@
 //! over the present grid point, from bottom to top, and adds up their windings. Below all pieces there is nothing,
 //! which is why a strip needs no help from its neighbors.
 
-use std::cmp::Ordering;
+use std::{cmp::Ordering, ops::Range};
 
 use super::{
     Rule,
+    active::{Active, Place},
     edge::Edge,
     span::{Spans, merge_coinciding},
 };
@@ -91,10 +92,11 @@ struct Sweep<'a> {
     /// Last grid column of the strip.
     last: i64,
     known: Vec<Known>,
-    /// The pieces over the present point, from bottom to top.
-    active: Vec<u32>,
+    active: Active,
     /// The boundary edges around the present point, counter-clockwise from straight down; true if it leads away.
     around: Vec<(Name, bool)>,
+    /// Those of them that end in the present point, from bottom to top.
+    arriving: Vec<(Name, bool)>,
     swept: Swept,
 }
 
@@ -102,7 +104,17 @@ impl<'a> Sweep<'a> {
     fn new(rule: Rule, spans: &'a Spans, pieces: &'a [Edge], last: i64) -> Self {
         let unknown = Known { above: [0, 0], boundary: Boundary::None, name: 0 };
         let known = vec![unknown; pieces.len()];
-        Self { rule, spans, pieces, last, known, active: Vec::new(), around: Vec::new(), swept: Swept::default() }
+        Self {
+            rule,
+            spans,
+            pieces,
+            last,
+            known,
+            active: Active::new(pieces.len()),
+            around: Vec::new(),
+            arriving: Vec::new(),
+            swept: Swept::default(),
+        }
     }
 
     /// Puts the pieces that come over the left seam in place; `pieces[own..]` are those, from bottom to top.
@@ -111,43 +123,47 @@ impl<'a> Sweep<'a> {
         for (piece, number) in (own..self.pieces.len()).zip(numbers) {
             winding = self.learn(piece, winding);
             self.known[piece].name = SPAN | number;
-            self.active.push(index(piece));
+            self.active.insert(self.active.top(), index(piece)..index(piece + 1));
         }
     }
 
     /// Visits every grid point of the strip at which a piece begins or ends, from left to right and upward.
     fn run(&mut self, own: usize) {
         let pieces = self.pieces;
-        let mut ends: Vec<GridPoint> = pieces.iter().map(|piece| piece.r).filter(|r| r.x <= self.last).collect();
+        let mut ends: Vec<(GridPoint, u32)> = pieces
+            .iter()
+            .zip(0u32..)
+            .filter(|(piece, _)| piece.r.x <= self.last)
+            .map(|(e, piece)| (e.r, piece))
+            .collect();
         ends.sort_unstable();
         let (mut next_piece, mut next_end) = (0, 0);
         loop {
             let begin = pieces[..own].get(next_piece).map(|piece| piece.l);
-            let at = match (begin, ends.get(next_end).copied()) {
-                (Some(begin), Some(end)) => begin.min(end),
-                (Some(only), None) | (None, Some(only)) => only,
+            let end = ends.get(next_end).copied();
+            let at = match (begin, end) {
+                (Some(begin), Some((end, _))) => begin.min(end),
+                (Some(only), None) | (None, Some((only, _))) => only,
                 (None, None) => return,
             };
             let first = next_piece;
             while next_piece < own && pieces[next_piece].l == at {
                 next_piece += 1;
             }
-            while ends.get(next_end) == Some(&at) {
+            while ends.get(next_end).is_some_and(|&(end, _)| end == at) {
                 next_end += 1;
             }
-            self.visit(at, first, next_piece);
+            let ending = end.filter(|&(end, _)| end == at).map(|(_, piece)| piece);
+            self.visit(at, first..next_piece, ending);
         }
     }
 
-    /// Replaces the pieces that end at a point by `pieces[first..end]`, which begin there, from bottom to top.
-    fn visit(&mut self, at: GridPoint, first: usize, end: usize) {
-        let pieces = self.pieces;
-        let low = self.active.partition_point(|&piece| pieces[piece as usize].cross(at) > 0);
-        let ending = self.active[low..].iter().take_while(|&&piece| pieces[piece as usize].r == at).count();
-
-        let mut winding = low.checked_sub(1).map_or([0, 0], |under| self.known[self.active[under] as usize].above);
+    /// Replaces the pieces that end at a point, of which one may be known, by those that begin there, from bottom to top.
+    fn visit(&mut self, at: GridPoint, beginning: Range<usize>, ending: Option<u32>) {
+        let place = self.take_ending(at, ending);
+        let mut winding = self.active.below(place).map_or([0, 0], |under| self.known[under as usize].above);
         self.around.clear();
-        for piece in first..end {
+        for piece in beginning.clone() {
             winding = self.learn(piece, winding);
             self.name(piece);
             let Known { boundary, name, .. } = self.known[piece];
@@ -155,18 +171,31 @@ impl<'a> Sweep<'a> {
                 self.around.push((name, boundary == Boundary::CoveredAbove));
             }
         }
-        let rightward = self.around.len();
-        for &piece in self.active[low..low + ending].iter().rev() {
-            let Known { boundary, name, .. } = self.known[piece as usize];
-            if boundary != Boundary::None {
-                self.around.push((name, boundary == Boundary::CoveredBelow));
-            }
+        if self.arriving.is_empty() {
+            self.note_gap(place);
         }
-        self.active.splice(low..low + ending, (first..end).map(index));
+        self.around.extend(self.arriving.iter().rev());
         self.link();
-        if rightward == self.around.len() {
-            self.note_gap(low);
+        self.active.insert(place, index(beginning.start)..index(beginning.end));
+    }
+
+    /// Removes the pieces that end at a point, notes which are boundary edges, and returns the place they leave.
+    fn take_ending(&mut self, at: GridPoint, ending: Option<u32>) -> Place {
+        let (pieces, known, arriving) = (self.pieces, &self.known, &mut self.arriving);
+        arriving.clear();
+        let Some(ending) = ending else { return self.active.search(|piece| pieces[piece as usize].cross(at) > 0) };
+        let mut lowest = self.active.place_of(ending);
+        while self.active.below(lowest).is_some_and(|piece| pieces[piece as usize].r == at) {
+            lowest = self.active.step_down(lowest);
         }
+        self.active.remove_while(lowest, |piece| {
+            let ends = pieces[piece as usize].r == at;
+            let Known { boundary, name, .. } = known[piece as usize];
+            if ends && boundary != Boundary::None {
+                arriving.push((name, boundary == Boundary::CoveredBelow));
+            }
+            ends
+        })
     }
 
     /// Each covered wedge between two boundary edges turns from the edge that arrives to the edge that leaves. So parts
@@ -181,10 +210,10 @@ impl<'a> Sweep<'a> {
     }
 
     /// If a gap in a covered area begins at this point, notes which boundary edge is right below.
-    fn note_gap(&mut self, low: usize) {
+    fn note_gap(&mut self, place: Place) {
         let Some(&(name, false)) = self.around.first() else { return };
-        let below = self.active[..low].iter().rev().map(|&piece| self.known[piece as usize]);
-        if let Some(known) = below.into_iter().find(|known| known.boundary != Boundary::None) {
+        let mut below = self.active.all_below(place).map(|piece| self.known[piece as usize]);
+        if let Some(known) = below.find(|known| known.boundary != Boundary::None) {
             self.swept.below.push((name, known.name));
         }
     }
