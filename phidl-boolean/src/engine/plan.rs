@@ -10,8 +10,11 @@ use super::edge::Edge;
 /// Samples of x per strip from which the borders are chosen.
 const SAMPLES_PER_STRIP: usize = 32;
 
-/// Edges may be seen this many times on average before the strips are made wider.
-const MAX_SIGHTINGS: usize = 2;
+/// Up to this many strips, for which an edge may be seen twice on average, are worth it to keep all threads busy.
+const FEW_STRIPS: usize = 64;
+
+/// With more strips than that, at most one edge in this many may be seen twice; otherwise the strips are made wider.
+const SEEN_ONCE_PER_TWICE: usize = 6;
 
 /// Strips of the plane and the edges that touch each.
 ///
@@ -33,7 +36,7 @@ impl StripPlan {
             let firsts = borders(edges, strips);
             let ranges: Vec<(u32, u32)> = edges.par_iter().map(|edge| strip_range(&firsts, edge)).collect();
             let sightings: usize = ranges.par_iter().map(|&(first, last)| (last - first) as usize + 1).sum();
-            if firsts.is_empty() || sightings <= MAX_SIGHTINGS * edges.len() {
+            if firsts.is_empty() || sightings <= most_sightings(edges.len(), strips) {
                 return Self::with_ranges(firsts, &ranges, sightings);
             }
             strips /= 2;
@@ -90,6 +93,10 @@ impl StripPlan {
         }
         Self { firsts, seen, starts, long }
     }
+}
+
+fn most_sightings(edges: usize, strips: usize) -> usize {
+    if strips <= FEW_STRIPS { 2 * edges } else { edges + edges / SEEN_ONCE_PER_TWICE }
 }
 
 /// Columns that divide a sample of the vertices evenly.
@@ -150,6 +157,6 @@ mod tests {
     fn long_edges_make_strips_wider_instead_of_filling_every_strip() {
         let edges: Vec<_> = (0..1000).map(|x| edge(x, x + 100_000)).collect();
         let plan = StripPlan::new(&edges, 1);
-        assert!((0..plan.len()).map(|strip| plan.seen(strip).len()).sum::<usize>() <= MAX_SIGHTINGS * edges.len());
+        assert!((0..plan.len()).map(|strip| plan.seen(strip).len()).sum::<usize>() <= 2 * edges.len());
     }
 }
