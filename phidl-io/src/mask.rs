@@ -4,13 +4,12 @@
 //! |---|---|
 //! | `NAME.gds` | the mask, hierarchy kept |
 //! | `NAME.svg` | a picture of it |
-//! | `metadata.json` | every cell: generator, parameters, info, ports, instances |
+//! | `metadata.json` | every cell: generator, parameters, info, ports, instances; and the summary |
 //!
 //! The same device and options give the same bytes, whenever and on however many threads.
 
 use std::path::{Path, PathBuf};
 
-use phidl_core::layer::LayerSet;
 use phidl_core::scene::Device;
 
 use crate::atomic;
@@ -23,10 +22,10 @@ use crate::svg::{self, SvgOptions};
 /// What a mask is called and how it is written.
 #[derive(Debug, Clone, Default)]
 pub struct MaskOptions {
-    /// Names and colors of the layers, for the picture.
-    pub layers: LayerSet,
     /// How the GDSII file is written.
     pub gds: GdsOptions,
+    /// How the picture is drawn.
+    pub svg: SvgOptions,
 }
 
 /// One thing that building a mask does, in order.
@@ -82,9 +81,10 @@ pub fn build(
     let gds = gds::write(device, &gds_file, &options.gds)?;
     let summary = Summary::of_file(device, &options.gds, &gds_file)?;
     started(Step::Svg);
-    svg::write(device, &svg_file, &SvgOptions { layers: options.layers.clone(), ..SvgOptions::default() })?;
+    svg::write(device, &svg_file, &options.svg)?;
     started(Step::Metadata);
-    let metadata = json::metadata(device, &options.gds)?;
+    let mut metadata = json::metadata(device, &options.gds)?;
+    metadata["summary"] = summary.to_json();
     atomic::write(&metadata_file, json::to_text(&metadata).as_bytes())?;
 
     Ok(MaskReport { files: vec![gds_file, svg_file, metadata_file], gds, summary })

@@ -8,10 +8,12 @@ use phidl_core::geom::Rect;
 use phidl_core::layer::Layer;
 use phidl_core::place::Bounded;
 use phidl_core::scene::Device;
+use serde_json::{Map, json};
 use sha2::{Digest, Sha256};
 
 use crate::error::{IoError, Result};
 use crate::gds::{CellTable, GdsOptions};
+use crate::json::corners;
 
 /// What is drawn on one layer, over all levels of a mask.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -130,6 +132,27 @@ impl Below {
             add(&mut sum.labels, more.labels);
             sum.area += more.area * magnification * magnification * count as f64;
         }
+    }
+}
+
+impl Summary {
+    /// The same as JSON, layers by their names.
+    #[must_use]
+    pub fn to_json(&self) -> serde_json::Value {
+        let layers = self.layers.iter().map(|layer| {
+            let LayerSummary { polygons, vertices, area, labels, .. } = *layer;
+            let figures = json!({ "polygons": polygons, "vertices": vertices, "area": area, "labels": labels });
+            (layer.layer.to_string(), figures)
+        });
+        json!({
+            "top": self.top,
+            "cells": self.cells,
+            "instances": self.instances,
+            "layers": layers.collect::<Map<_, _>>(),
+            "bbox": self.bbox.map(corners),
+            "bytes": self.bytes,
+            "sha256": self.sha256,
+        })
     }
 }
 

@@ -3,4 +3,5 @@
 mod golden;
 mod hashes;
 mod placement;
+mod quick_start;
 mod registry;

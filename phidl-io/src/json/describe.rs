@@ -41,7 +41,7 @@ pub fn describe(device: &Device) -> Value {
     })
 }
 
-pub(super) fn corners(rect: Rect) -> Value {
+pub(crate) fn corners(rect: Rect) -> Value {
     [point(rect.min), point(rect.max)].into_iter().collect()
 }
 

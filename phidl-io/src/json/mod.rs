@@ -6,6 +6,7 @@ mod describe;
 mod metadata;
 mod value;
 
+pub(crate) use describe::corners;
 pub use describe::describe;
 pub use metadata::metadata;
 
