@@ -11,6 +11,10 @@ use super::limits::Limits;
 use super::split::Corner;
 use crate::error::{IoError, Item, Result};
 
+/// So many elements are handed to gds21 at a time: few enough to stay near the processor, where a million at once would
+/// take three hundred megabytes.
+const PORTION: usize = 4096;
+
 /// The labels and references of one cell, on their way into the file.
 pub(super) struct Elements<'a> {
     pub(super) cell: &'a Device,
@@ -20,21 +24,24 @@ pub(super) struct Elements<'a> {
 }
 
 impl Elements<'_> {
-    /// Labels first, then references, as PHIDL writes them; with the number of arrays that were taken apart.
-    pub(super) fn all(&self) -> Result<(Vec<GdsElement>, u64)> {
-        let mut elements = Vec::new();
+    /// Labels first, then references, as PHIDL writes them, in portions; returns how many arrays were taken apart.
+    pub(super) fn encode(&self, mut put: impl FnMut(Vec<GdsElement>) -> Result<()>) -> Result<u64> {
+        let mut portion = Vec::new();
         let mut taken_apart = 0;
         for (index, label) in self.cell.labels().iter().enumerate() {
-            elements.push(self.label(index, label)?.into());
+            portion.push(self.label(index, label)?.into());
+            put_if_full(&mut portion, &mut put)?;
         }
         for (index, reference) in self.cell.references().iter().enumerate() {
             let blocks = self.blocks(index, reference)?;
             taken_apart += u64::from(blocks.len() > 1);
             for block in &blocks {
-                elements.push(self.block(index, reference, block)?);
+                portion.push(self.block(index, reference, block)?);
+                put_if_full(&mut portion, &mut put)?;
             }
         }
-        Ok((elements, taken_apart))
+        put(portion)?;
+        Ok(taken_apart)
     }
 
     fn label(&self, index: usize, label: &Label) -> Result<GdsTextElem> {
@@ -112,6 +119,13 @@ impl Elements<'_> {
     fn out_of_range(&self, item: Item, source: phidl_core::num::grid::GridError) -> IoError {
         IoError::OutOfRange { cell: self.cell.name().into(), item: Box::new(item), source }
     }
+}
+
+fn put_if_full(portion: &mut Vec<GdsElement>, put: &mut impl FnMut(Vec<GdsElement>) -> Result<()>) -> Result<()> {
+    if portion.len() < PORTION {
+        return Ok(());
+    }
+    put(std::mem::replace(portion, Vec::with_capacity(PORTION)))
 }
 
 fn reference_item(index: usize, reference: &Reference) -> Item {

@@ -7,7 +7,7 @@ use phidl_core::scene::Device;
 
 use super::cells::CellTable;
 use super::elements::Elements;
-use super::frame::Frame;
+use super::frame::{END_CELL, Frame};
 use super::limits::Limits;
 use super::options::GdsOptions;
 use super::outline::Outlines;
@@ -103,13 +103,14 @@ fn encode(
         Ok(())
     };
     for (cell, name) in table.iter() {
-        let (elements, taken_apart) = Elements { cell, table: &table, grid, limits: &limits }.all()?;
-        arrays_taken_apart += taken_apart;
-        let (head, tail) = frame.cell(name, elements).map_err(too_long)?;
-        buffer.extend_from_slice(&head);
+        buffer.extend_from_slice(&frame.cell(name).map_err(too_long)?);
         outlines.write(cell, &mut buffer, |buffer| flush(buffer, PORTION))?;
-        buffer.extend_from_slice(&tail);
-        flush(&mut buffer, PORTION)?;
+        let elements = Elements { cell, table: &table, grid, limits: &limits };
+        arrays_taken_apart += elements.encode(|portion| {
+            buffer.extend_from_slice(&frame.elements(portion).map_err(too_long)?);
+            flush(&mut buffer, PORTION)
+        })?;
+        buffer.extend_from_slice(&END_CELL);
     }
     buffer.extend_from_slice(&frame.tail);
     flush(&mut buffer, 0)?;

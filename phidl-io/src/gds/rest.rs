@@ -12,14 +12,14 @@ use phidl_core::num::{angle, grid::Grid};
 use phidl_core::scene::{Array, Label, Polygon, Properties};
 
 use super::elements::anchor;
-use super::frame::Frame;
+use super::frame::{END_CELL, Frame};
 use super::options::GdsDate;
 use super::path::{Centerline, End};
 use super::problem::ProblemKind;
 use super::scan::{Fault, Record, Records, kind};
 
 /// Portions are decoded when they have grown to this many bytes.
-const PORTION: usize = 1 << 22;
+const PORTION: usize = 1 << 18;
 
 /// The data type of texts.
 const TEXT: u8 = gds21::GdsDataType::Str as u8;
@@ -129,8 +129,8 @@ impl Rest {
     }
 
     fn parse(&self, elements: &[u8]) -> Result<Vec<GdsElement>, GdsError> {
-        let (head, tail) = self.frame.cell("rest", Vec::new())?;
-        let library = [&self.frame.head[..], &head, elements, &tail, &self.frame.tail].concat();
+        let begin = self.frame.cell("rest")?;
+        let library = [&self.frame.head[..], &begin, elements, &END_CELL, &self.frame.tail].concat();
         let mut library = GdsLibrary::from_bytes(&library)?;
         Ok(library.structs.pop().map(|cell| cell.elems).unwrap_or_default())
     }

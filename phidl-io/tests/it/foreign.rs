@@ -15,7 +15,7 @@ fn number(kind: u8, number: i16) -> Vec<u8> {
 }
 
 fn text(kind: u8, text: &[u8]) -> Vec<u8> {
-    let padding: &[u8] = if text.len() % 2 == 0 { &[] } else { &[0] };
+    let padding: &[u8] = if text.len().is_multiple_of(2) { &[] } else { &[0] };
     record(kind, 6, &[text, padding].concat())
 }
 
