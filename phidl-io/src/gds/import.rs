@@ -8,7 +8,7 @@ use phidl_core::scene::{Device, Reference};
 
 use super::library::{self, Library, OpenCell};
 use super::problem::Problem;
-use super::rest::Placement;
+use super::single::Placement;
 use crate::error::{IoError, Result};
 
 /// Cells are not nested deeper than this; real layouts have some ten levels. Whoever walks a device may then do so level
@@ -171,7 +171,8 @@ fn build(cells: Vec<OpenCell>, names: &HashMap<String, usize>, order: &[usize], 
     let mut last = None;
     for place in order {
         let cell = open[*place].take().expect("invariant: a cell comes once in the order");
-        let OpenCell { name, mut builder, outlines, references } = cell;
+        let OpenCell { name, mut builder, outlines, mut references } = cell;
+        references.sort_by_key(|placement| placement.offset);
         for polygon in outlines {
             builder.add(polygon);
         }

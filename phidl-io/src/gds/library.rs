@@ -9,8 +9,9 @@ use phidl_core::scene::{Device, DeviceBuilder, Polygon};
 use super::boundary;
 use super::options::is_real;
 use super::problem::{Problem, ProblemKind};
-use super::rest::{Element, FaultIn, Placement, Rest};
+use super::rest::{Element, FaultIn, Rest};
 use super::scan::{Fault, Record, Records, kind};
+use super::single::{self, Placement};
 use crate::error::{IoError, Result};
 
 /// A file as it stands there.
@@ -30,6 +31,7 @@ pub(super) struct OpenCell {
     pub(super) builder: DeviceBuilder,
     /// Boxes and paths: after the boundaries.
     pub(super) outlines: Vec<Polygon>,
+    /// Arrays come later than single references; their places in the file tell the order.
     pub(super) references: Vec<Placement>,
 }
 
@@ -167,7 +169,8 @@ impl<'a> Parser<'a> {
             match record.kind {
                 kind::ENDSTR => return Ok(()),
                 kind::BOUNDARY => self.boundary(record.offset)?,
-                kind::BOX | kind::PATH | kind::TEXT | kind::SREF | kind::AREF => self.other(record)?,
+                kind::SREF => self.single(record.offset)?,
+                kind::BOX | kind::PATH | kind::TEXT | kind::AREF => self.other(record)?,
                 kind::NODE => self.skip(record.offset)?,
                 kind::STRCLASS => {}
                 other if other > kind::LAST => self.problem(record.offset, ProblemKind::Record(other)),
@@ -191,6 +194,14 @@ impl<'a> Parser<'a> {
             false => cell.builder.set_properties(key, boundary.properties).map(|_| ()),
         });
         kept.map_err(|error| Fault::new(start, error.in_full()).into())
+    }
+
+    fn single(&mut self, start: usize) -> Result<(), Stop> {
+        let Some(cell) = self.cells.last_mut() else { return Ok(()) };
+        let (name, problems) = (&cell.name, &mut self.problems);
+        let problem = |offset, kind| problems.push(Problem { cell: name.clone(), offset, kind });
+        cell.references.push(single::read(start, &mut self.records, self.grid, problem)?);
+        Ok(())
     }
 
     fn other(&mut self, first: Record<'a>) -> Result<(), Stop> {
