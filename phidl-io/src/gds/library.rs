@@ -31,7 +31,7 @@ pub(super) struct OpenCell {
     pub(super) builder: DeviceBuilder,
     /// Boxes and paths: after the boundaries.
     pub(super) outlines: Vec<Polygon>,
-    /// Arrays come later than single references; their places in the file tell the order.
+    /// In the order of the file.
     pub(super) references: Vec<Placement>,
 }
 
@@ -49,13 +49,16 @@ pub(super) fn parse(bytes: &[u8], file: &str) -> Result<Library> {
     let mut parser = Parser { file, grid: &grid, records, rest: Rest::new(), cells: Vec::new(), problems: Vec::new() };
     let mut places = HashMap::new();
     let outcome = parser.cells(&mut places);
-    let Parser { cells, mut problems, .. } = parser;
+    let Parser { mut cells, mut problems, .. } = parser;
     outcome.map_err(|stop| match stop {
         Stop::Fault(fault) => malformed(fault, cells.last().map(|cell| cell.name.as_str())),
         Stop::FaultIn(FaultIn { cell, fault }) => malformed(fault, cells.get(cell).map(|cell| cell.name.as_str())),
         Stop::Error(error) => error,
     })?;
     problems.sort_by_key(|problem| problem.offset);
+    for cell in &mut cells {
+        cell.references.sort_by_key(|placement| placement.offset);
+    }
     Ok(Library { name: head.name, grid, user_unit: head.user_unit, cells, problems })
 }
 
