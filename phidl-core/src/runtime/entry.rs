@@ -105,7 +105,8 @@ impl Entry {
         (self.example)()
     }
 
-    /// Every parameter of a call with these ones, the others at their defaults: checked, but not drawn.
+    /// Every parameter of a call with these ones, the others at their defaults: checked, but not drawn. (A parameter
+    /// that is a device is drawn.)
     ///
     /// # Errors
     /// [`Error::Unknown`](crate::Error::Unknown) for a parameter that is not there,
