@@ -55,7 +55,7 @@ impl Row {
     #[doc(hidden)]
     #[must_use]
     pub const fn new<T: Param>(name: &'static str, docs: &'static str, unit: &'static str, bounds: Bounds) -> Self {
-        Self { name, docs, kind: T::kind, unit, bounds }
+        Self { name, docs: docs.trim_ascii(), kind: T::kind, unit, bounds }
     }
 }
 
@@ -73,7 +73,7 @@ impl Entry {
             name,
             module,
             version,
-            docs,
+            docs: docs.trim_ascii(),
             rows,
             defaults: G::defaults,
             example: || Ok(G::example()?.record()),
