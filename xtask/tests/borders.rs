@@ -45,9 +45,10 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
     files
 }
 
-/// The lines of code that name something, without comments.
+/// The lines of code that name something, without comments and unit tests, which stand at the foot of a file.
 fn lines_naming<'a>(source: &'a str, word: &str) -> Vec<&'a str> {
-    source.lines().filter(|line| !line.trim_start().starts_with("//") && line.contains(word)).collect()
+    let code = source.split("#[cfg(test)]\nmod tests").next().unwrap_or_default();
+    code.lines().filter(|line| !line.trim_start().starts_with("//") && line.contains(word)).collect()
 }
 
 /// Every place below the source folders of our crates that names something, by file.
