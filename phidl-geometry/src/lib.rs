@@ -20,6 +20,10 @@
 //! are micrometers, angles degrees counter-clockwise; nothing is rounded. A program that names no shape but builds some
 //! by name links them with `use phidl_geometry as _;`.
 
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
+
 pub mod basic;
 pub mod connect;
 pub mod taper;
