@@ -24,6 +24,11 @@
 #[doc = include_str!("../README.md")]
 struct Readme;
 
+/// The example of the whole project uses macros, core and shapes; this is the first crate that has all three.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+struct ProjectReadme;
+
 pub mod basic;
 pub mod connect;
 pub mod taper;
