@@ -1,5 +1,6 @@
 //! Integration tests of the shape library.
 
+mod domain;
 mod golden;
 mod hashes;
 mod placement;
