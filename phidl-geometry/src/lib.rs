@@ -12,9 +12,11 @@
 //!
 //! | family | shapes |
 //! |---|---|
-//! | basic | [`rectangle`], [`bbox`], [`straight`]; [`cross`]; [`circle`], [`ellipse`]; [`ring`], [`arc`] |
-//! | connecting | [`compass`], [`flagpole`] |
+//! | basic | [`rectangle`], [`bbox`], [`straight`]; [`cross`]; [`circle`], [`ellipse`]; [`ring`], [`arc`]; [`l`], [`c`] |
+//! | connecting | [`compass`], [`compass_multi`], [`connector`], [`flagpole`], [`tee`], [`polygon_ports`] |
 //! | tapers | [`taper`](fn@taper) |
+//! | lithography | [`litho_steps`], [`litho_star`], [`litho_calipers`], [`litho_ruler`] |
+//! | dies | [`basic_die`] |
 //!
 //! Names, parameters, defaults, ports and drawn points are PHIDL's, so that a script and its mask carry over. Lengths
 //! are micrometers, angles degrees counter-clockwise; nothing is rounded. A program that names no shape but builds some
@@ -22,8 +24,16 @@
 
 pub mod basic;
 pub mod connect;
+pub mod die;
+mod label_text;
+pub mod litho;
 pub mod taper;
 
 pub use basic::*;
-pub use connect::{CompassParams, FlagpoleParams, compass, flagpole};
+pub use connect::{
+    CompassMultiParams, CompassParams, ConnectorParams, FlagpoleParams, PolygonPortsParams, TeeParams, compass,
+    compass_multi, connector, flagpole, polygon_ports, tee,
+};
+pub use die::{BasicDieParams, basic_die};
+pub use litho::*;
 pub use taper::*;
