@@ -16,6 +16,7 @@
 //! | connecting | [`compass`], [`compass_multi`], [`connector`], [`flagpole`], [`tee`], [`polygon_ports`] |
 //! | tapers | [`taper`](fn@taper) |
 //! | lithography | [`litho_steps`], [`litho_star`], [`litho_calipers`], [`litho_ruler`] |
+//! | electrical tests | [`test_via`], [`test_comb`], [`test_res`] |
 //! | dies | [`basic_die`] |
 //!
 //! Names, parameters, defaults, ports and drawn points are PHIDL's, so that a script and its mask carry over. Lengths
@@ -28,6 +29,7 @@ pub mod die;
 mod label_text;
 pub mod litho;
 pub mod taper;
+pub mod test_structure;
 
 pub use basic::*;
 pub use connect::{
@@ -37,3 +39,4 @@ pub use connect::{
 pub use die::{BasicDieParams, basic_die};
 pub use litho::*;
 pub use taper::*;
+pub use test_structure::*;

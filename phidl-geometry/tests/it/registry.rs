@@ -30,6 +30,9 @@ fn every_shape_of_the_library_is_registered_and_draws_its_example() {
         "straight",
         "taper",
         "tee",
+        "test_comb",
+        "test_res",
+        "test_via",
     ];
     assert_eq!(names, expected);
     for entry in registry::all() {
