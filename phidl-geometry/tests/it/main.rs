@@ -1,9 +1,11 @@
 //! Integration tests of the shape library.
 
 mod golden;
+mod hashes;
 mod hashes_basic;
 mod marks_and_tests;
 mod outline;
 mod placement;
+mod quick_start;
 mod registry;
 mod wires_and_pads;
