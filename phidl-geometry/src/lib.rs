@@ -12,9 +12,12 @@
 //!
 //! | family | shapes |
 //! |---|---|
-//! | basic | [`rectangle`], [`bbox`], [`straight`]; [`cross`]; [`circle`], [`ellipse`]; [`ring`], [`arc`] |
-//! | connecting | [`compass`], [`flagpole`] |
+//! | basic | [`rectangle`], [`bbox`], [`straight`]; [`cross`]; [`circle`], [`ellipse`]; [`ring`], [`arc`]; [`l`], [`c`] |
+//! | connecting | [`compass`], [`compass_multi`], [`connector`], [`flagpole`], [`tee`], [`polygon_ports`] |
 //! | tapers | [`taper`](fn@taper) |
+//! | lithography | [`litho_steps`], [`litho_star`], [`litho_calipers`], [`litho_ruler`] |
+//! | electrical tests | [`test_via`], [`test_comb`], [`test_res`] |
+//! | dies | [`basic_die`] |
 //!
 //! Names, parameters, defaults, ports and drawn points are PHIDL's, so that a script and its mask carry over. Lengths
 //! are micrometers, angles degrees counter-clockwise; nothing is rounded. A program that names no shape but builds some
@@ -31,8 +34,18 @@ struct ProjectReadme;
 
 pub mod basic;
 pub mod connect;
+pub mod die;
+mod label_text;
+pub mod litho;
 pub mod taper;
+pub mod test_structure;
 
 pub use basic::*;
-pub use connect::{CompassParams, FlagpoleParams, compass, flagpole};
+pub use connect::{
+    CompassMultiParams, CompassParams, ConnectorParams, FlagpoleParams, PolygonPortsParams, TeeParams, compass,
+    compass_multi, connector, flagpole, polygon_ports, tee,
+};
+pub use die::{BasicDieParams, basic_die};
+pub use litho::*;
 pub use taper::*;
+pub use test_structure::*;

@@ -3,6 +3,10 @@
 mod domain;
 mod golden;
 mod hashes;
+mod hashes_basic;
+mod marks_and_tests;
+mod outline;
 mod placement;
 mod quick_start;
 mod registry;
+mod wires_and_pads;
