@@ -3,6 +3,9 @@
 //! Angles stay in degrees everywhere and are turned into a sine and a cosine only here, so that a
 //! multiple of 90° never leaves a remainder like `6e-17` on an axis. No tolerance is applied:
 //! 89.999° is not a quarter turn.
+//!
+//! Angles that are binary fractions of a degree (30, 22.5, 0.125) add up exactly, so four quarter turns of anything at
+//! such an angle are the identity to the last bit; other angles keep all but their last bit.
 
 /// Brings an angle into `[0, 360)`; a NaN or an infinity becomes NaN.
 ///

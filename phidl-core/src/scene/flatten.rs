@@ -4,8 +4,6 @@ use std::collections::HashMap;
 
 use super::outlines::Outlines;
 use super::{Device, Label};
-use crate::geom::Matrix;
-#[cfg(not(feature = "parallel"))]
 use crate::geom::Transform;
 use crate::place::Transformable;
 
@@ -39,16 +37,14 @@ impl Device {
 /// All polygons of a hierarchy, its own first, then those of the references in order.
 pub(super) fn all_outlines(device: &Device) -> Outlines {
     let amounts = amounts(device);
+    let total = amounts[&device.address()];
     #[cfg(feature = "parallel")]
-    let flat = parallel::all_outlines(device, &amounts);
-    #[cfg(not(feature = "parallel"))]
-    let flat = {
-        let total = amounts[&device.address()];
-        let mut flat = Outlines::default();
-        flat.reserve(total.polygons, total.points);
-        push_outlines(device, &Transform::IDENTITY, &mut flat);
-        flat
-    };
+    if super::parallel::is_worth_it(total) {
+        return with_properties(super::parallel::all_outlines(device, &amounts), device);
+    }
+    let mut flat = Outlines::default();
+    flat.reserve(total.polygons, total.points);
+    push_outlines(device, &Transform::IDENTITY, &mut flat);
     with_properties(flat, device)
 }
 
@@ -80,19 +76,15 @@ pub(super) fn amounts(device: &Device) -> HashMap<usize, Amount> {
     amounts
 }
 
-#[cfg(not(feature = "parallel"))]
 fn push_outlines(device: &Device, transform: &Transform, flat: &mut Outlines) {
-    push_own(device, &transform.matrix(), flat);
+    let matrix = transform.matrix();
+    for polygon in device.polygons() {
+        flat.push_mapped(polygon.points, polygon.layer, |p| matrix.apply(p));
+    }
     for reference in device.references() {
         for element in reference.elements() {
             push_outlines(reference.device(), &element.then(transform), flat);
         }
-    }
-}
-
-fn push_own(device: &Device, matrix: &Matrix, flat: &mut Outlines) {
-    for polygon in device.polygons() {
-        flat.push_mapped(polygon.points, polygon.layer, |p| matrix.apply(p));
     }
 }
 

@@ -37,9 +37,11 @@ impl Group {
         Self::default()
     }
 
-    /// Adds a thing at the end.
-    pub fn add(&mut self, member: impl Into<Element>) -> &mut Self {
-        self.members.push(member.into());
+    /// Adds a thing, or the members of another group, at the end.
+    pub fn add(&mut self, other: impl Into<Self>) -> &mut Self {
+        let other = other.into();
+        self.members.extend(other.members);
+        self.fault = self.fault.take().or(other.fault);
         self
     }
 
@@ -80,17 +82,17 @@ impl FromIterator<Element> for Group {
     }
 }
 
-impl<E: Into<Element>> std::ops::Add<E> for Group {
+impl<G: Into<Self>> std::ops::Add<G> for Group {
     type Output = Self;
-    fn add(mut self, other: E) -> Self {
-        self.members.push(other.into());
+    fn add(mut self, other: G) -> Self {
+        self += other;
         self
     }
 }
 
-impl<E: Into<Element>> std::ops::AddAssign<E> for Group {
-    fn add_assign(&mut self, other: E) {
-        self.members.push(other.into());
+impl<G: Into<Self>> std::ops::AddAssign<G> for Group {
+    fn add_assign(&mut self, other: G) {
+        Group::add(self, other);
     }
 }
 
@@ -187,3 +189,21 @@ impl From<Label> for Element {
         Self::Label(label)
     }
 }
+
+impl From<Element> for Group {
+    fn from(member: Element) -> Self {
+        Self { members: vec![member], fault: None }
+    }
+}
+
+macro_rules! group_of_one {
+    ($($member:ty),*) => {$(
+        impl From<$member> for Group {
+            fn from(member: $member) -> Self {
+                Element::from(member).into()
+            }
+        }
+    )*};
+}
+
+group_of_one!(Reference, Device, &Device, Polygon, Label);

@@ -1,6 +1,6 @@
 //! [`Label`]: a text that names a place. It is not drawn on the mask.
 
-use super::{Element, Group, Properties};
+use super::{Group, Properties};
 use crate::geom::{Point, Rect, Transform};
 use crate::layer::Layer;
 use crate::place::{Bounded, PlaceFault, Transformable};
@@ -106,9 +106,9 @@ impl Transformable for Label {
     }
 }
 
-impl<E: Into<Element>> std::ops::Add<E> for Label {
+impl<G: Into<Group>> std::ops::Add<G> for Label {
     type Output = Group;
-    fn add(self, other: E) -> Group {
-        Group::from_iter([self.into(), other.into()])
+    fn add(self, other: G) -> Group {
+        Group::from(self) + other
     }
 }

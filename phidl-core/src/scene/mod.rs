@@ -14,6 +14,8 @@ mod group;
 mod keys;
 mod label;
 mod outlines;
+#[cfg(feature = "parallel")]
+mod parallel;
 mod polygon;
 mod reference;
 mod rewrite;

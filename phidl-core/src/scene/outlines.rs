@@ -20,10 +20,10 @@ pub(crate) struct Outlines {
 }
 
 #[derive(Debug, Clone, Copy)]
-struct Span {
+pub(super) struct Span {
     /// Where the points end; they begin where those of the span before end.
-    end: usize,
-    layer: Layer,
+    pub(super) end: usize,
+    pub(super) layer: Layer,
 }
 
 /// A polygon as it is stored in a cell.
@@ -184,11 +184,15 @@ impl Outlines {
         start..self.spans[place].end
     }
 
-    /// All points and spans as one: for the parallel flatten, which fills them out of order.
+    /// All points, and where each polygon ends in them: for the parallel flatten, which fills them out of order.
     #[cfg(feature = "parallel")]
-    pub(crate) fn from_parts(points: Vec<Point>, spans: impl IntoIterator<Item = (usize, Layer)>) -> Self {
-        let spans = spans.into_iter().map(|(end, layer)| Span { end, layer }).collect();
+    pub(super) fn from_parts(points: Vec<Point>, spans: Vec<Span>) -> Self {
         Self { points, spans, properties: BTreeMap::new() }
+    }
+
+    #[cfg(feature = "parallel")]
+    pub(super) fn span(&self, place: usize) -> Span {
+        self.spans[place]
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Element, Group};
+use super::Group;
 use crate::geom::{Outline, Point, Rect, Transform, signed_area, simplified};
 use crate::layer::Layers;
 use crate::place::{Bounded, PlaceFault, Transformable};
@@ -67,9 +67,9 @@ impl Transformable for Polygon {
     }
 }
 
-impl<E: Into<Element>> std::ops::Add<E> for Polygon {
+impl<G: Into<Group>> std::ops::Add<G> for Polygon {
     type Output = Group;
-    fn add(self, other: E) -> Group {
-        Group::from_iter([self.into(), other.into()])
+    fn add(self, other: G) -> Group {
+        Group::from(self) + other
     }
 }

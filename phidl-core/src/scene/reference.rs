@@ -1,6 +1,6 @@
 //! [`Reference`]: one placement, or a regular array of placements, of a finished cell.
 
-use super::{Device, Element, Group, Properties};
+use super::{Device, Group, Properties};
 use crate::error::{Error, Result};
 use crate::geom::{Point, Rect, Transform};
 use crate::num::angle;
@@ -103,6 +103,13 @@ impl Reference {
     #[must_use]
     pub fn with_device(self, device: Device) -> Self {
         Self { device, ..self }
+    }
+
+    /// The same reference with another placement altogether; the steps of an array stay as they are.
+    #[must_use]
+    pub fn with_transform(self, transform: Transform) -> Self {
+        let rotation = angle::normalized(transform.rotation);
+        Self { transform: Transform { rotation, ..transform }, ..self }
     }
 
     /// Where it is placed; of an array, its first element.
@@ -316,9 +323,9 @@ impl From<&Device> for Reference {
     }
 }
 
-impl<E: Into<Element>> std::ops::Add<E> for Reference {
+impl<G: Into<Group>> std::ops::Add<G> for Reference {
     type Output = Group;
-    fn add(self, other: E) -> Group {
-        Group::from_iter([self.into(), other.into()])
+    fn add(self, other: G) -> Group {
+        Group::from(self) + other
     }
 }

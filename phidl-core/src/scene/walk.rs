@@ -96,6 +96,26 @@ impl<'a> Instances<'a> {
     }
 }
 
+#[cfg(feature = "parallel")]
+impl<'a> Instances<'a> {
+    /// A walk that is over, to be set anywhere with the two methods below, from the top down.
+    pub(super) fn nowhere() -> Self {
+        Self { start: None, frames: Vec::new(), deepest: usize::MAX }
+    }
+
+    /// Goes on, in time, after one element of one reference of a cell.
+    pub(super) fn push_after(&mut self, device: &'a Device, transform: Transform, reference: usize, last: (u32, u32)) {
+        let mut frame = Frame { reference, element: last, ..Frame::new(device, transform) };
+        frame.next_child();
+        self.frames.push(frame);
+    }
+
+    /// Goes on with the first placed cell of a cell.
+    pub(super) fn push_before_children(&mut self, device: &'a Device, transform: Transform) {
+        self.frames.push(Frame::new(device, transform));
+    }
+}
+
 /// A polygon where it ends up below the cell that was walked.
 #[derive(Debug, Clone)]
 pub struct FlatPolygon<'a> {

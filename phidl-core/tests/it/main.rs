@@ -1,0 +1,6 @@
+//! Integration tests of the scene graph.
+
+mod editing;
+mod errors;
+mod laws;
+mod reference_facts;

@@ -1,0 +1,5 @@
+//! Integration tests of the shape library.
+
+mod golden;
+mod placement;
+mod registry;
