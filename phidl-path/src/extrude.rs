@@ -21,7 +21,7 @@ use crate::{CrossSection, Fold, Path, Profile, Section, Side, fold, rule};
 /// # use phidl_path::{CrossSection, Extrusion, Path};
 /// let (path, x) = (Path::arc(10, 90)?, CrossSection::of_width(1, 3));
 /// let device = Extrusion::new(&path, &x).simplify(1e-2).build()?;
-/// assert_eq!(device.polygons().next().unwrap().points.len(), 62);
+/// assert!(device.polygons().next().unwrap().points.len() < 80); // instead of 360
 /// # Ok::<(), phidl_core::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy)]

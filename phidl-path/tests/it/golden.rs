@@ -1,115 +1,84 @@
-//! Reference results: every path case of every JSON file in the folder that `PHIDL_GOLDEN` names, or in the project's
-//! own copy. What may differ stands in `differences.toml`; everything else must match.
-
-use std::path::{Path as FilePath, PathBuf};
+//! Reference results of paths. What may differ stands in testkit's `differences.toml`; everything else must match.
 
 use phidl_core::prelude::*;
 use phidl_path::{ArcBend, CrossSection, EulerBend, Extrusion, Path, Section, Spiral};
 use serde_json::Value as Json;
 use sha1::{Digest as _, Sha1};
+use testkit::golden::{Case, Kind, compare_device, differences, load};
 
 use crate::simplified;
 
-const OWN_COPY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../xtask/testkit/golden");
 /// Points agree to this (µm).
 const TOLERANCE: f64 = 1e-6;
 
 #[test]
 fn every_reference_case_is_reproduced() {
-    let differences = Differences::load();
-    let (mut cases, mut failures) = (0, Vec::new());
-    for case in golden_cases() {
-        cases += 1;
-        if let Err(failure) = check(&case, &differences) {
-            failures.push(format!("{}: {failure}", case["id"]));
-        }
-    }
-    assert!(cases > 0, "no path cases were found");
-    assert!(failures.is_empty(), "{} of {cases} cases differ:\n{}", failures.len(), failures.join("\n"));
+    let cases = load(Kind::Path);
+    let failures: Vec<String> =
+        cases.iter().filter_map(|case| check(case).err().map(|failure| format!("{}: {failure}", case.id))).collect();
+    assert!(failures.is_empty(), "{} of {} cases differ:\n{}", failures.len(), cases.len(), failures.join("\n"));
 }
 
-fn golden_cases() -> Vec<Json> {
-    let folder = std::env::var_os("PHIDL_GOLDEN").map_or_else(|| PathBuf::from(OWN_COPY), PathBuf::from);
-    let mut files: Vec<PathBuf> = std::fs::read_dir(&folder)
-        .unwrap_or_else(|e| panic!("{}: {e}", folder.display()))
-        .map(|entry| entry.unwrap().path())
-        .filter(|file| file.extension().is_some_and(|extension| extension == "json"))
-        .collect();
-    files.sort();
-    files.iter().flat_map(|file| path_cases(file)).collect()
+/// An exception may be made only if it stands in the list of deliberate differences.
+fn must_be_listed(function: &str, condition: &str) {
+    let listed = differences().iter().any(|d| d.function == function && d.condition.contains(condition));
+    assert!(listed, "differences.toml knows nothing of {function} with {condition}");
 }
 
-fn path_cases(file: &FilePath) -> Vec<Json> {
-    let text = std::fs::read_to_string(file).unwrap();
-    let Ok(Json::Array(cases)) = serde_json::from_str(&text) else { return Vec::new() };
-    cases.into_iter().filter(|case| case.get("segments").or(case.get("smooth")).is_some()).collect()
+fn part<'a>(case: &'a Case, key: &str) -> &'a Json {
+    case.rest.get(key).unwrap_or(&Json::Null)
 }
 
-/// The list of deliberate differences. A test may only make an exception that stands in it.
-struct Differences(Vec<(String, String)>);
-
-impl Differences {
-    fn load() -> Self {
-        let text = std::fs::read_to_string(FilePath::new(OWN_COPY).join("differences.toml")).unwrap();
-        let table: toml::Table = text.parse().unwrap();
-        let text = |entry: &toml::Value, key: &str| entry[key].as_str().unwrap().to_owned();
-        let entries = table["difference"].as_array().unwrap();
-        Self(entries.iter().map(|entry| (text(entry, "function"), text(entry, "condition"))).collect())
-    }
-
-    fn must_hold(&self, function: &str, condition: &str) {
-        let listed = self.0.iter().any(|(f, c)| f == function && c.contains(condition));
-        assert!(listed, "differences.toml knows nothing of {function} with {condition}");
-    }
+fn list<'a>(case: &'a Case, key: &str) -> &'a [Json] {
+    part(case, key).as_array().map_or(&[], Vec::as_slice)
 }
 
-fn check(case: &Json, differences: &Differences) -> Result<(), String> {
-    let expect = &case["expect"];
+fn check(case: &Case) -> Result<(), String> {
     let built = build(case);
-    if case["segments"].as_array().is_some_and(|s| s.iter().any(is_effective_beyond_a_half_turn)) {
-        differences.must_hold("euler", "use_eff beyond 190");
+    let segments = list(case, "segments");
+    if segments.iter().any(is_effective_beyond_a_half_turn) {
+        must_be_listed("path.euler", "use_eff beyond 190");
         return if built.is_err() { Ok(()) } else { Err("use_eff beyond 190° was drawn".to_owned()) };
     }
     let drawn = built.and_then(|path| Ok((draw(case, &path)?, path)));
-    if let Some(error) = expect["error"].as_str() {
+    if let Some(error) = case.expect["error"].as_str() {
         return if drawn.is_err() { Ok(()) } else { Err(format!("drawn, where the reference has {error}")) };
     }
     let (device, path) = drawn.map_err(|e| e.in_full())?;
-    check_angles(&path, expect)?;
-    let segments = case["segments"].as_array().cloned().unwrap_or_default();
+    check_angles(&path, &case.expect)?;
     if segments.iter().any(is_poorly_sampled) {
-        differences.must_hold("arc", "fewer than 2 points");
-        differences.must_hold("euler", "fewer than 3 points");
+        must_be_listed("path.arc", "fewer than 2 points");
+        must_be_listed("path.euler", "fewer than 3 points");
         return Ok(());
     }
     if let Some(radius) = segments.iter().filter_map(cut_off_radius).reduce(f64::max) {
-        differences.must_hold("euler", "more than 240");
-        return check_points("points", path.points(), &expect["points"], 1e-3 * radius);
+        must_be_listed("path.euler", "more than 240");
+        return check_points(path.points(), &case.expect["points"], 1e-3 * radius);
     }
-    check_path(case, &path, differences)?;
+    check_path(case, &path)?;
     let Some(device) = device else { return Ok(()) };
-    let Some(tolerance) = case["extrude"]["simplify"].as_f64() else { return check_device(&device, &expect["device"]) };
-    match check_device(&device, &expect["device"]) {
-        Ok(()) => Ok(()),
-        Err(_) => {
-            differences.must_hold("extrude", "equally far");
+    let expected = &case.expect["device"];
+    match (compare_device(&device, expected), part(case, "extrude")["simplify"].as_f64()) {
+        (Err(_), Some(tolerance)) => {
+            must_be_listed("path.extrude", "equally far");
             check_simplified(case, &path, tolerance)
         }
+        (compared, _) => compared,
     }
 }
 
 /// Checks that the reference's points, and ours, are a result of the simplification of our edges.
-fn check_simplified(case: &Json, path: &Path, tolerance: f64) -> Result<(), String> {
+fn check_simplified(case: &Case, path: &Path, tolerance: f64) -> Result<(), String> {
     let all = extrusion(case, path, None).map_err(|e| e.in_full())?;
     let few = extrusion(case, path, Some(tolerance)).map_err(|e| e.in_full())?;
     for (all, few) in all.polygons().zip(few.polygons()) {
-        let name = all.layer.to_string();
         simplified::check(all.points, few.points, tolerance)?;
-        for theirs in case["expect"]["device"]["layers"][&name]["points"].as_array().into_iter().flatten() {
+        let theirs = &case.expect["device"]["layers"][all.layer.to_string()]["points"];
+        for theirs in theirs.as_array().into_iter().flatten() {
             simplified::check(all.points, &points(theirs), tolerance)?;
         }
     }
-    check_ports(&few, case["expect"]["device"]["ports"].as_object().unwrap())
+    Ok(())
 }
 
 fn number(json: &Json) -> f64 {
@@ -128,15 +97,12 @@ fn points(json: &Json) -> Vec<Point> {
     json.as_array().unwrap().iter().map(point).collect()
 }
 
-fn build(case: &Json) -> Result<Path> {
-    let mut path = match case.get("smooth") {
+fn build(case: &Case) -> Result<Path> {
+    let mut path = match case.rest.get("smooth") {
         Some(smooth) => smoothed(smooth)?,
-        None => {
-            let pieces = case["segments"].as_array().unwrap().iter().map(piece).collect::<Result<Vec<_>>>()?;
-            Path::of(pieces)
-        }
+        None => Path::of(list(case, "segments").iter().map(piece).collect::<Result<Vec<_>>>()?),
     };
-    for op in case["ops"].as_array().into_iter().flatten() {
+    for op in list(case, "ops") {
         match op["op"].as_str().unwrap() {
             "rotate" => path.rotate_about(number(&op["angle"]), point(&op["center"])),
             "mirror" => path.mirror(point(&op["p1"]), point(&op["p2"])),
@@ -199,15 +165,15 @@ fn layers(json: &Json) -> Layers {
     }
 }
 
-fn draw(case: &Json, path: &Path) -> Result<Option<Device>> {
-    match case.get("extrude") {
+fn draw(case: &Case, path: &Path) -> Result<Option<Device>> {
+    match case.rest.get("extrude") {
         Some(extrude) => extrusion(case, path, extrude["simplify"].as_f64()).map(Some),
         None => Ok(None),
     }
 }
 
-fn extrusion(case: &Json, path: &Path, simplify: Option<f64>) -> Result<Device> {
-    let extrude = &case["extrude"];
+fn extrusion(case: &Case, path: &Path, simplify: Option<f64>) -> Result<Device> {
+    let extrude = part(case, "extrude");
     let cross_section = match extrude.get("sections") {
         Some(sections) => sections.as_array().unwrap().iter().map(section).fold(CrossSection::new(), CrossSection::add),
         None => match &extrude["width"] {
@@ -265,36 +231,38 @@ fn is_effective_beyond_a_half_turn(segment: &Json) -> bool {
 fn check_angles(path: &Path, expect: &Json) -> Result<(), String> {
     for (what, ours) in [("start_angle", path.start_angle()), ("end_angle", path.end_angle())] {
         let theirs = number(&expect[what]);
-        let off = (ours - theirs).rem_euclid(360.0);
-        if off.min(360.0 - off) > 1e-9 {
+        if phidl_core::num::angle::between(ours, theirs) > 1e-9 {
             return Err(format!("{what} is {ours}, not {theirs}"));
         }
     }
     Ok(())
 }
 
-fn check_path(case: &Json, path: &Path, differences: &Differences) -> Result<(), String> {
-    let expect = &case["expect"];
+fn check_path(case: &Case, path: &Path) -> Result<(), String> {
+    let expect = &case.expect;
     if expect.get("points").is_some() {
-        check_points("points", path.points(), &expect["points"], TOLERANCE)?;
+        check_points(path.points(), &expect["points"], TOLERANCE)?;
     }
-    near("length", path.length(), number(&expect["length"]), TOLERANCE)?;
-    check_bbox(path, &expect["bbox"])?;
-    let theirs = expect["hash_geometry"].as_str().unwrap();
-    let ours = path.hash_geometry(1e-4).unwrap();
+    let length = number(&expect["length"]);
+    if (path.length() - length).abs() > TOLERANCE {
+        return Err(format!("length is {}, not {length}", path.length()));
+    }
+    let (ours, theirs) = (path.bbox().unwrap(), &expect["bbox"]);
+    if ours.min.distance(point(&theirs[0])).max(ours.max.distance(point(&theirs[1]))) > TOLERANCE {
+        return Err(format!("box is {ours}, not {theirs}"));
+    }
+    let (mut ours, theirs) = (path.hash_geometry(1e-4).unwrap(), expect["hash_geometry"].as_str().unwrap());
     if ours != theirs && has_arctangents(case) {
-        differences.must_hold("Path.hash_geometry", "arctangent");
-        let (start, end) = (number(&expect["start_angle"]), number(&expect["end_angle"]));
-        return same("hash with the reference's angles", &defined_hash(path.points(), start, end), theirs);
+        must_be_listed("path.hash_geometry", "arctangent");
+        ours = defined_hash(path.points(), number(&expect["start_angle"]), number(&expect["end_angle"]));
     }
-    same("hash", &ours, theirs)
+    if ours == theirs { Ok(()) } else { Err(format!("hash is {ours}, not {theirs}")) }
 }
 
-fn has_arctangents(case: &Json) -> bool {
-    let list = |key: &str| case[key].as_array().cloned().unwrap_or_default();
-    case.get("smooth").is_some()
-        || list("segments").iter().any(|segment| segment["fn"].is_null() || segment["fn"] == "spiral")
-        || list("ops").iter().any(|op| op["op"] == "mirror")
+fn has_arctangents(case: &Case) -> bool {
+    case.rest.contains_key("smooth")
+        || list(case, "segments").iter().any(|segment| segment["fn"].is_null() || segment["fn"] == "spiral")
+        || list(case, "ops").iter().any(|op| op["op"] == "mirror")
 }
 
 /// The hash as the specification defines it, written down once more.
@@ -311,59 +279,13 @@ pub(crate) fn defined_hash(points: &[Point], start_angle: f64, end_angle: f64) -
     Sha1::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-fn check_device(device: &Device, expect: &Json) -> Result<(), String> {
-    check_bbox(device, &expect["bbox"]).map_err(|e| format!("device: {e}"))?;
-    let layers = expect["layers"].as_object().unwrap();
-    same("layers", &device.layers().len().to_string(), &layers.len().to_string())?;
-    for (name, layer) in layers {
-        let polygons: Vec<&[Point]> =
-            device.polygons().filter(|p| p.layer.to_string() == *name).map(|p| p.points).collect();
-        same("polygons", &polygons.len().to_string(), &layer["polygons"].to_string())?;
-        let vertices: usize = polygons.iter().map(|p| p.len()).sum();
-        same("vertices", &vertices.to_string(), &layer["vertices"].to_string())?;
-        for (ours, theirs) in polygons.iter().zip(layer["points"].as_array().into_iter().flatten()) {
-            check_points(name, ours, theirs, TOLERANCE)?;
-        }
-    }
-    check_ports(device, expect["ports"].as_object().unwrap())?;
-    let info = expect["info"].as_object().unwrap();
-    if let Some(key) = info.keys().find(|key| !device.info().contains_key(*key)) {
-        return Err(format!("info has no {key}"));
-    }
-    same("device hash", &device.hash_geometry(1e-4).unwrap(), expect["hash_geometry"].as_str().unwrap())
-}
-
-fn check_ports(device: &Device, expect: &serde_json::Map<String, Json>) -> Result<(), String> {
-    same("ports", &device.ports().len().to_string(), &expect.len().to_string())?;
-    for (name, theirs) in expect {
-        let ours = device.port(name).map_err(|e| e.to_string())?;
-        near("port midpoint", ours.midpoint().distance(point(&theirs["midpoint"])), 0.0, TOLERANCE)?;
-        near("port width", ours.width(), number(&theirs["width"]), TOLERANCE)?;
-        let off = (ours.orientation() - number(&theirs["orientation"])).rem_euclid(360.0);
-        near("port orientation", off.min(360.0 - off), 0.0, TOLERANCE)?;
-    }
-    Ok(())
-}
-
-fn check_points(what: &str, ours: &[Point], theirs: &Json, tolerance: f64) -> Result<(), String> {
+fn check_points(ours: &[Point], theirs: &Json, tolerance: f64) -> Result<(), String> {
     let theirs = points(theirs);
-    same(&format!("number of {what}"), &ours.len().to_string(), &theirs.len().to_string())?;
+    if ours.len() != theirs.len() {
+        return Err(format!("{} points, not {}", ours.len(), theirs.len()));
+    }
     match ours.iter().zip(&theirs).position(|(p, q)| p.distance(*q) > tolerance) {
         None => Ok(()),
-        Some(i) => Err(format!("point {i} of {what} is {}, not {}", ours[i], theirs[i])),
+        Some(i) => Err(format!("point {i} is {}, not {}", ours[i], theirs[i])),
     }
-}
-
-fn check_bbox(thing: &impl Bounded, theirs: &Json) -> Result<(), String> {
-    let ours = thing.bbox().unwrap();
-    let off = ours.min.distance(point(&theirs[0])).max(ours.max.distance(point(&theirs[1])));
-    near("distance of the bounding boxes", off, 0.0, TOLERANCE)
-}
-
-fn near(what: &str, ours: f64, theirs: f64, tolerance: f64) -> Result<(), String> {
-    if (ours - theirs).abs() <= tolerance { Ok(()) } else { Err(format!("{what} is {ours}, not {theirs}")) }
-}
-
-fn same(what: &str, ours: &str, theirs: &str) -> Result<(), String> {
-    if ours == theirs { Ok(()) } else { Err(format!("{what} is {ours}, not {theirs}")) }
 }
