@@ -7,7 +7,7 @@
 //! the end of a full turn by 3e-7 of the radius. A rational approximation would be faster still, but right to nine
 //! digits only.
 
-use std::f64::consts::{PI, SQRT_2};
+use std::f64::consts::SQRT_2;
 
 use phidl_core::Result;
 use phidl_core::geom::{Matrix, Point, Transform};
@@ -76,9 +76,9 @@ impl Euler {
     }
 
     fn of_unit(degrees: f64, p: f64) -> Self {
-        let turn = degrees.abs() * PI / 180.0;
+        let turn = degrees.abs().to_radians();
         let clothoid = (p * turn).sqrt();
-        let length = 2.0 * clothoid + turn * (1.0 - p) / clothoid;
+        let length = 2.0 * clothoid + 1.0 / clothoid * turn * (1.0 - p);
         let mut bend = Self { degrees, p, clothoid, length, second_half: Transform::IDENTITY.matrix(), scale: 1.0 };
         let middle = bend.first_half(length / 2.0);
         let turned = Transform { x_reflection: true, ..Transform::rotation(degrees.abs() - 180.0) }.matrix();
@@ -112,7 +112,8 @@ impl Euler {
     /// The points of the first half, both ends included: `n` shared out among clothoid and arc.
     fn half_points(&self, n: usize) -> impl Iterator<Item = Point> {
         let middle = self.length / 2.0;
-        let on_clothoid = if n <= 2 { 0 } else { count::nearest(n as f64 * self.clothoid / middle) };
+        // With this order of operations halves are rounded as in the specification.
+        let on_clothoid = if n <= 2 { 0 } else { count::nearest(n as f64 * (self.clothoid / middle)) };
         let on_arc = n.saturating_sub(on_clothoid);
         // The reference draws a piece with too few points not at all, and what comes after it in a wrong place.
         let on_clothoid = on_clothoid.max(2);
@@ -174,7 +175,7 @@ impl Turning for Euler {
         };
         let left = match s <= self.length / 2.0 {
             true => risen(s),
-            false => self.degrees.abs() * PI / 180.0 - risen(self.length - s),
+            false => self.degrees.abs().to_radians() - risen(self.length - s),
         };
         left * self.degrees.signum()
     }
@@ -249,7 +250,7 @@ mod tests {
 
     #[test]
     fn the_series_gives_the_fresnel_integrals_at_all_lengths_that_are_allowed() {
-        let longest = (MOST_DEGREES * PI / 180.0).sqrt();
+        let longest = MOST_DEGREES.to_radians().sqrt();
         for s in [0.0, 0.1, 1.0, 1.7, 2.5, 3.5, longest] {
             assert!(fresnel(s).distance(integrated(s)) < 1e-10, "{s}");
         }

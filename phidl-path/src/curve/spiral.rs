@@ -62,9 +62,7 @@ impl Spiral {
         let [on_center, on_1, on_2] = self.shares(arm, end_1, end_2)?;
         let arm_1: Vec<f64> = count::linspace(FRAC_PI_2, end_1, on_1).collect();
         let mut arm_2 = arm_1.clone();
-        if end_2 > end_1 {
-            arm_2.extend(count::linspace(end_1, end_2, on_2.max(2)).skip(1));
-        }
+        arm_2.extend(count::linspace(end_1, end_2, on_2).skip(1));
         joined(arm, &arm_2, &self.center_arc(arm, on_center)?, &arm_1)
     }
 
@@ -95,7 +93,7 @@ impl Spiral {
     fn center_shape(self, arm: Arm) -> (f64, f64) {
         let slope = arm.b / (arm.a + arm.b * FRAC_PI_2);
         let radius = self.inner_gap * (1.0 + slope * slope).sqrt() / 4.0;
-        let sweep = 2.0 * (self.inner_gap / (4.0 * radius)).asin() * 180.0 / PI;
+        let sweep = (2.0 * (self.inner_gap / (4.0 * radius)).asin()).to_degrees();
         (radius, sweep)
     }
 
@@ -105,7 +103,7 @@ impl Spiral {
             ((arm.a + end * arm.b).powi(2) + arm.b * arm.b).powf(1.5) / (3.0 * (arm.a * arm.b + end * arm.b * arm.b))
         };
         let (radius, sweep) = self.center_shape(arm);
-        let center = radius * sweep * PI / 180.0;
+        let center = radius * sweep.to_radians();
         let per_length = self.num_pts / (weight(end_1) + weight(end_2) + 2.0 * center);
         let share = |weight: f64| count::nearest((per_length * weight).floor());
         let on_1 = share(weight(end_1));
