@@ -30,27 +30,33 @@ const MOST_STEPS: usize = 60;
 /// How often the range of tolerances is halved to even the chords out: the last one then differs by a few percent, the others by less.
 const HALVINGS: usize = 10;
 
-/// The fewest points strictly between the ends of a curve that keep every chord within `tolerance` (µm, positive).
-pub(crate) fn between_ends(curve: &impl Turning, tolerance: f64) -> Vec<Point> {
-    let knots = evened(curve, tolerance, longest(curve, tolerance));
-    knots.into_iter().map(|t| curve.at(t)).collect()
+/// The most chords on one piece: a file holds fewer points in a thousand polygons.
+pub(crate) const MOST_CHORDS: usize = 1 << 20;
+
+/// The fewest points strictly between the ends of a curve that keep every chord within `tolerance` (µm, positive);
+/// nothing if that takes more than [`MOST_CHORDS`].
+pub(crate) fn between_ends(curve: &impl Turning, tolerance: f64) -> Option<Vec<Point>> {
+    let knots = evened(curve, tolerance, longest(curve, tolerance)?);
+    Some(knots.into_iter().map(|t| curve.at(t)).collect())
 }
 
-/// The inner vertices (parameters) of chords as long as the tolerance lets them be, one after the other.
-fn longest(curve: &impl Turning, tolerance: f64) -> Vec<f64> {
+/// The inner vertices (parameters) of chords as long as the tolerance lets them be, one after the other;
+/// nothing if there are more than [`MOST_CHORDS`].
+fn longest(curve: &impl Turning, tolerance: f64) -> Option<Vec<f64>> {
     let span = curve.span();
     let mut knots = Vec::new();
     let (mut from, mut guess, mut before) = (0.0, span / 16.0, span / 16.0);
-    loop {
+    while knots.len() < MOST_CHORDS {
         let step = longest_step(curve, from, guess, tolerance);
         if from + step >= span {
-            return knots;
+            return Some(knots);
         }
         // The next chord will have grown or shrunk about as much as this one.
         guess = step * (step / before).clamp(0.5, 2.0);
         (from, before) = (from + step, step);
         knots.push(from);
     }
+    None
 }
 
 /// The same number of chords, made with the smallest tolerance for which it is enough.
@@ -61,11 +67,9 @@ fn evened(curve: &impl Turning, tolerance: f64, longest_ones: Vec<f64>) -> Vec<f
     let mut best = longest_ones;
     for _ in 0..HALVINGS {
         let middle = (few + many) / 2.0;
-        let knots = longest(curve, middle);
-        if knots.len() == number {
-            (few, best) = (middle, knots);
-        } else {
-            many = middle;
+        match longest(curve, middle) {
+            Some(knots) if knots.len() == number => (few, best) = (middle, knots),
+            _ => many = middle,
         }
     }
     best
@@ -185,7 +189,7 @@ mod tests {
     }
 
     fn check(curve: &impl Turning, tolerance: f64) {
-        let long = longest(curve, tolerance);
+        let long = longest(curve, tolerance).unwrap();
         let even = evened(curve, tolerance, long.clone());
         let best = fewest(curve, tolerance);
         for knots in [long, even] {
