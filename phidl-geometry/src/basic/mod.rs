@@ -1,0 +1,11 @@
+//! Basic shapes.
+
+mod cross;
+mod ellipse;
+mod rectangle;
+mod ring;
+
+pub use cross::{CrossParams, cross};
+pub use ellipse::{CircleParams, EllipseParams, circle, ellipse};
+pub use rectangle::{BboxParams, Corners, RectangleParams, StraightParams, bbox, rectangle, straight};
+pub use ring::{ArcParams, RingParams, arc, ring};

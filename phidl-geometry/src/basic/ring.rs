@@ -1,0 +1,186 @@
+//! Rings and parts of rings: [`ring`] and [`arc`].
+
+use phidl_core::num::count::{self, linspace};
+use phidl_core::param::Check;
+use phidl_core::prelude::*;
+use phidl_macros::device;
+
+/// Draws a closed ring around the origin.
+///
+/// ```text
+///     ╭───────╮
+///   ╭─┤       ├─╮
+///   │ │   ·───┼─┤ radius to the middle of the ring
+///   ╰─┤       ├─╯
+///     ╰───────╯
+/// ```
+///
+/// One outline with a seam at angle 0, since GDSII has no holes: the inner edge, then the outer edge backwards.
+///
+/// # Ports
+/// None.
+///
+/// # Errors
+/// A ring wider than its diameter has no inside: `width` must be at most `2 · radius`.
+///
+/// # Numerics
+/// `round(360 / angle_resolution)` chords, halves to even. If that is not a multiple of four, the points miss the axes and the box is
+/// smaller than the outer diameter.
+///
+/// # Examples
+/// ```
+/// # use phidl_core::prelude::*;
+/// # use phidl_geometry as pg;
+/// let r = pg::ring(10, 0.5, 2.5, 1)?;
+/// assert!((r.area() / (TAU * 10.0 * 0.5) - 1.0).abs() < 1e-3); // 2π · radius · width, less what chords lose
+/// # Ok::<(), Error>(())
+/// ```
+///
+/// # Source
+/// Own design, compatible with PHIDL's `ring`.
+#[device]
+pub fn ring(
+    /// Radius of the middle of the ring.
+    #[default(10.0)]
+    #[param(unit = "um", above = 0.0)]
+    radius: f64,
+    /// Radial width.
+    #[default(0.5)]
+    #[param(unit = "um", above = 0.0)]
+    width: f64,
+    /// Angle between neighboring points.
+    #[default(2.5)]
+    #[param(unit = "deg", above = 0.0, max = 120.0)]
+    angle_resolution: f64,
+    /// Where it is drawn.
+    #[default(0)]
+    layer: Layers,
+) -> Result<Device> {
+    let check = Check::device("ring");
+    check.at_most("width", width, ("2 radius", 2.0 * radius))?;
+    let chords = count::per_turn_nearest(angle_resolution);
+    check.at_most("number of points", 2.0 * chords as f64, count::MOST as f64 - 2.0)?;
+
+    let angles = (0..=chords).map(|i| 360.0 * i as f64 / chords as f64);
+    let mut d = Device::builder("ring");
+    d.add_polygon(band(radius, width, angles), layer)?;
+    d.build()
+}
+
+/// Draws a part of a ring around the origin.
+///
+/// ```text
+///        2
+///      ╱╲
+///     ╱  ╲   theta
+///    ·────┴─ 1   start_angle
+/// ```
+///
+/// # Ports
+/// `1` at `start_angle` and `2` at `start_angle + theta`, at `radius` and `width` wide, facing along the ring and out of
+/// it.
+///
+/// # Info
+/// `length`: length of the middle line (µm).
+///
+/// # Errors
+/// `theta` of 0 draws nothing and is refused; `width` must be at most `2 · radius`.
+///
+/// # Numerics
+/// `⌈|theta| / angle_resolution⌉` points on each edge, both ends included, and at least two: the real step is a little
+/// wider than `angle_resolution`.
+///
+/// # Examples
+/// ```
+/// # use phidl_core::prelude::*;
+/// # use phidl_geometry as pg;
+/// let bend = pg::arc(10, 0.5, 90, 0, 2.5, 1)?;
+/// assert_eq!(bend.port("2")?.midpoint(), Point::new(0.0, 10.0));
+/// assert_eq!(bend.port("2")?.orientation(), 180.0);
+/// # Ok::<(), Error>(())
+/// ```
+///
+/// # Source
+/// Own design, compatible with PHIDL's `arc`.
+#[device]
+pub fn arc(
+    /// Radius of the middle of the arc.
+    #[default(10.0)]
+    #[param(unit = "um", above = 0.0)]
+    radius: f64,
+    /// Radial width.
+    #[default(0.5)]
+    #[param(unit = "um", min = 0.0)]
+    width: f64,
+    /// Extent, counter-clockwise if positive.
+    #[default(45.0)]
+    #[param(unit = "deg")]
+    theta: f64,
+    /// Where the arc begins, from the x axis.
+    #[default(0.0)]
+    #[param(unit = "deg")]
+    start_angle: f64,
+    /// Angle that decides the number of points.
+    #[default(2.5)]
+    #[param(unit = "deg", above = 0.0)]
+    angle_resolution: f64,
+    /// Where it is drawn.
+    #[default(0)]
+    layer: Layers,
+) -> Result<Device> {
+    let check = Check::device("arc");
+    check.at_most("width", width, ("2 radius", 2.0 * radius))?;
+    check.that("theta", format_args!("{theta}°"), theta != 0.0, "not be 0")?;
+    let points = count::up(theta.abs() / angle_resolution).max(2);
+    check.at_most("number of points", 2.0 * points as f64, count::MOST as f64 - 2.0)?;
+
+    let end_angle = start_angle + theta;
+    let out = 90.0 * theta.signum();
+    let mut d = Device::builder("arc");
+    d.add_polygon(band(radius, width, linspace(start_angle, end_angle, points)), layer)?;
+    d.add_port("1", (Point::polar(radius, start_angle), width, start_angle - out))?;
+    d.add_port("2", (Point::polar(radius, end_angle), width, end_angle + out))?;
+    d.info("length", theta.abs().to_radians() * radius);
+    d.build()
+}
+
+/// The inner edge along some angles, then the outer edge back.
+fn band(radius: f64, width: f64, angles: impl DoubleEndedIterator<Item = f64> + Clone) -> Vec<Point> {
+    let inner = radius - width / 2.0;
+    let outer = radius + width / 2.0;
+    let inner = angles.clone().map(move |angle| Point::polar(inner, angle));
+    inner.chain(angles.rev().map(move |angle| Point::polar(outer, angle))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_negative_arc_turns_the_ports_round() {
+        let d = arc(10, 0.5, -45, 0, 2.5, 0).unwrap();
+        assert_eq!((d.port("1").unwrap().orientation(), d.port("2").unwrap().orientation()), (90.0, 225.0));
+    }
+
+    #[test]
+    fn a_short_arc_has_two_points_on_each_edge() {
+        let d = arc(10, 0.5, 1, 0, 2.5, 0).unwrap();
+        assert_eq!(d.polygons().next().unwrap().points.len(), 4);
+    }
+
+    #[test]
+    fn a_ring_misses_the_axes_if_its_chords_are_no_multiple_of_four() {
+        let d = ring(5, 1.5, 7, 0).unwrap();
+        assert!((d.xmin() + 5.739094).abs() < 1e-6 && d.xmax() == 5.75, "{:?}", d.bbox());
+    }
+
+    #[test]
+    fn arcs_and_rings_without_an_inside_are_refused() {
+        assert_eq!(
+            ring(1, 3, 2.5, 0).unwrap_err().to_string(),
+            "ring: width is 3 µm, but it must be at most 2 radius, 2 µm"
+        );
+        assert!(arc(1, 3, 45, 0, 2.5, 0).is_err());
+        assert!(arc(10, 0.5, 0, 0, 2.5, 0).is_err());
+    }
+}

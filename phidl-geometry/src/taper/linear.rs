@@ -1,0 +1,71 @@
+//! [`taper`].
+
+use phidl_core::prelude::*;
+use phidl_macros::device;
+
+/// Width of a taper that nothing else decides (µm).
+const DEFAULT_WIDTH: f64 = 5.0;
+
+/// Draws a straight piece of wire that changes its width evenly.
+///
+/// ```text
+///      ┌──
+///      │   ──
+///   1 ─┤     ├─ 2    from (0, 0) to (length, 0)
+///      │   ──
+///      └──
+/// ```
+///
+/// With `port`, the taper starts at that port, facing it.
+///
+/// # Ports
+/// `1` at the start, `width1` wide, facing 180°; `2` at the end, `width2` wide, facing 0°.
+///
+/// # Examples
+/// ```
+/// # use phidl_core::prelude::*;
+/// # use phidl_geometry as pg;
+/// let t = pg::taper(20, 3, 0.5, 1)?;
+/// assert_eq!(t.port("2")?.width(), 0.5);
+/// let on = pg::TaperParams::default().width2(2).port(Port::new((3, 4), 7, 90)).build()?;
+/// assert_eq!(on.port("1")?.width(), 7.0);
+/// # Ok::<(), Error>(())
+/// ```
+///
+/// # Source
+/// Own design, compatible with PHIDL's `taper`.
+#[device]
+pub fn taper(
+    /// Length.
+    #[default(10.0)]
+    #[param(unit = "um", min = 0.0)]
+    length: f64,
+    /// Width at the start; without one, that of `port`, or 5 µm.
+    #[default(None)]
+    #[param(unit = "um", min = 0.0)]
+    width1: Option<f64>,
+    /// Width at the end; without one, that at the start.
+    #[default(None)]
+    #[param(unit = "um", min = 0.0)]
+    width2: Option<f64>,
+    /// Where it is drawn.
+    #[default(0)]
+    layer: Layers,
+    /// Where it starts.
+    #[default(None)]
+    #[param(named)]
+    port: Option<Port>,
+) -> Result<Device> {
+    let width1 = width1.or(port.as_ref().map(Port::width)).unwrap_or(DEFAULT_WIDTH);
+    let width2 = width2.unwrap_or(width1);
+    let (start, end) = (width1 / 2.0, width2 / 2.0);
+
+    let mut d = Device::builder("taper");
+    d.add_polygon([(0.0, start), (length, end), (length, -end), (0.0, -start)], layer)?;
+    d.add_port("1", ((0, 0), width1, 180))?;
+    d.add_port("2", ((length, 0), width2, 0))?;
+    if let Some(port) = port {
+        d.rotate(port.orientation()).move_by(port.midpoint());
+    }
+    d.build()
+}

@@ -1,0 +1,5 @@
+//! Changes of width.
+
+mod linear;
+
+pub use linear::{TaperParams, taper};
