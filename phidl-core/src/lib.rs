@@ -38,6 +38,9 @@
 //!
 //! This crate knows no file format, no boolean engine and no clock, and it never prints.
 
+#[doc(hidden)]
+#[path = "private.rs"]
+pub mod __private;
 pub mod error;
 pub mod geom;
 pub mod hash;
@@ -47,6 +50,8 @@ pub mod param;
 pub mod place;
 pub mod port;
 pub mod prelude;
+pub mod runtime;
 pub mod scene;
 
 pub use error::{Error, Result};
+pub use runtime::{Generator, cache, registry};

@@ -2,7 +2,7 @@
 //!
 //! All three keep the order of corners of the specification, in which `bbox` runs the other way round.
 
-use phidl_core::param::{Kind, Param};
+use phidl_core::param::{Kind, Mismatch, Param};
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
@@ -133,6 +133,23 @@ fn corners(size: Size) -> [(f64, f64); 4] {
 /// Two opposite corners, in the order in which they are drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Corners(pub Point, pub Point);
+
+impl Param for Corners {
+    fn kind() -> Kind {
+        Kind::List(Box::new(Kind::Point))
+    }
+
+    fn to_value(&self) -> Value {
+        vec![self.0, self.1].into()
+    }
+
+    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+        match Vec::<Point>::from_value(value)?[..] {
+            [a, c] => Ok(Self(a, c)),
+            _ => Err(Mismatch::new(value, "be two corners")),
+        }
+    }
+}
 
 impl From<Rect> for Corners {
     fn from(rect: Rect) -> Self {

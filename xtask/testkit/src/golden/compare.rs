@@ -69,7 +69,7 @@ pub fn assert_all(cases: &[Case], draw: impl Fn(&Case) -> Result<Device>) {
         let outcome = check(case, draw(case));
         #[expect(clippy::print_stdout, reason = "one line a case, shown by the test runner on failure or demand")]
         {
-            println!("{:<28} {}", case.id, outcome.as_deref().map_or_else(String::as_str, |()| "ok"));
+            println!("{:<28} {}", case.id, outcome.as_ref().map_or_else(String::as_str, |()| "ok"));
         }
         failures.extend(outcome.err().map(|why| format!("{}: {why}", case.id)));
     }

@@ -1,0 +1,3 @@
+//! Generators as users write them.
+
+mod forms;
