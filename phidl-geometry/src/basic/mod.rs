@@ -4,8 +4,10 @@ mod cross;
 mod ellipse;
 mod rectangle;
 mod ring;
+mod turn;
 
 pub use cross::{CrossParams, cross};
 pub use ellipse::{CircleParams, EllipseParams, circle, ellipse};
 pub use rectangle::{BboxParams, Corners, RectangleParams, StraightParams, bbox, rectangle, straight};
 pub use ring::{ArcParams, RingParams, arc, ring};
+pub use turn::{TurnParams, turn};

@@ -146,9 +146,10 @@ fn layers(drawn: &BTreeMap<String, Vec<Vec<Point>>>, expected: &Described, exten
 }
 
 fn layer(outlines: &[Vec<Point>], expected: &DescribedLayer, extent: Extent) -> Result<(), String> {
-    let points: Option<Vec<Vec<Point>>> = expected.points.as_ref().map(|outlines| {
-        outlines.iter().map(|outline| outline.iter().map(|p| Point::from(*p)).collect()).collect()
-    });
+    let points: Option<Vec<Vec<Point>>> = expected
+        .points
+        .as_ref()
+        .map(|outlines| outlines.iter().map(|outline| outline.iter().map(|p| Point::from(*p)).collect()).collect());
     match (extent, points) {
         (Extent::Region, Some(points)) => region(outlines, &points),
         (Extent::Contains, Some(points)) => contains(outlines, &points).map(drop),
