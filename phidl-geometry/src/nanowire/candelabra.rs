@@ -80,7 +80,8 @@ impl Param for Equalization {
 /// `1` above, facing 90°; `2` below, facing 270°; both `wire_width` wide.
 ///
 /// # Errors
-/// `wire_pitch` must be greater than `wire_width`; `haxis` must hold the turns on both sides and a row between them.
+/// `wire_pitch` must be greater than `wire_width`. There must be room for two full rows: `haxis` must hold the turns on
+/// both sides and rows that differ by a step, and `vaxis` must not ask for fewer.
 ///
 /// # Numerics
 /// Bends have the 15 points of [`optimal_90deg`](fn@crate::optimal_90deg), or with `xwing` one every 2.5°. The height
@@ -184,7 +185,8 @@ impl Wire {
 
         // Each row ends in a turn that leads to the next one, longer and one pitch further down.
         let mut length = 2.0 * d.size().width - self.width;
-        check.at_least("haxis", haxis, ("two turns and the first row", haxis - longest + length))?;
+        let least = ("the shortest one and a step (a larger haxis or vaxis)", length + growth);
+        check.unit("um").greater("longest row", longest, least)?;
         let mut pad = longest - length - growth;
         let mut end = d[bar].port("E")?;
         let mut left = false;
@@ -358,6 +360,8 @@ impl Wire {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
+    use testkit::golden::merged_area;
 
     #[test]
     fn the_default_has_the_rows_of_the_specification() {
@@ -394,6 +398,14 @@ mod tests {
     }
 
     #[test]
+    fn a_single_row_is_refused() {
+        let error = SnspdCandelabraParams::default().wire_width(1).wire_pitch(2.91).haxis(36.87).vaxis(32).build();
+        let error = error.unwrap_err().to_string();
+        assert!(error.starts_with("snspd_candelabra: longest row is 18.5"), "{error}");
+        assert!(SnspdCandelabraParams::default().vaxis(1).build().is_err());
+    }
+
+    #[test]
     fn equalization_is_a_part_or_all() {
         assert_eq!(Equalization::from_value(&true.into()).unwrap(), Equalization(1.0));
         assert_eq!(Equalization::from_value(&0.5.into()).unwrap(), Equalization(0.5));
@@ -408,5 +420,26 @@ mod tests {
         assert!((bbox.min + bbox.max).norm() < 1e-9);
         let (one, two) = (d.port("1").unwrap(), d.port("2").unwrap());
         assert!((one.midpoint() + two.midpoint()).norm() < 1e-9);
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(40))]
+        #[test]
+        fn no_part_lies_on_another(
+            width in 0.1..1.0_f64, gap in 0.03..2.0_f64, haxis in 40.0..80.0_f64, vaxis in 15.0..50.0_f64,
+            equalize in prop_oneof![Just(0.0), 0.0..1.0], xwing in any::<bool>(),
+        ) {
+            let params = SnspdCandelabraParams::default().wire_width(width).wire_pitch(width * (1.0 + gap)).xwing(xwing);
+            let params = params.haxis(haxis * width).vaxis(vaxis * width).equalize_path_lengths(equalize);
+            let built = params.build();
+            prop_assume!(built.is_ok());
+            let d = built.unwrap();
+            let outlines: Vec<Vec<Point>> = d.flat_polygons().map(|p| p.points().collect()).collect();
+            let drawn: f64 = outlines.iter().map(|p| phidl_core::geom::signed_area(p).abs()).sum();
+            // Only the lead of the bend at each terminal may lie on the first row.
+            let leads = 2.0 * 5.9 * width * width;
+            prop_assert!(drawn - merged_area(&outlines) <= leads, "{drawn} {}", merged_area(&outlines));
+            prop_assert!(d.size().width <= haxis * width + 1e-9);
+        }
     }
 }

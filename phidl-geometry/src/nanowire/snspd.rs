@@ -1,5 +1,6 @@
 //! [`snspd`] and [`snspd_expanded`]: meandering nanowires that detect single photons.
 
+use phidl_core::error::ParamError;
 use phidl_core::num::count;
 use phidl_core::param::{Check, IntoOption, Kind, Mismatch, Param};
 use phidl_core::prelude::*;
@@ -170,10 +171,13 @@ fn closed(size: OpenSize, num_squares: Option<f64>, unit: f64) -> Result<Size> {
         (None, None, Some(n)) => Ok(Size { width: (n * unit).sqrt(), height: (n * unit).sqrt() }),
         (width, height, n) => {
             let given = [width, height, n].iter().flatten().count();
-            Err(Check::device("snspd")
-                .that("number of values among size and num_squares", given, false, "be two, or num_squares alone")
-                .err()
-                .unwrap_or_else(|| Error::custom("snspd", "size and num_squares do not fit")))
+            Err(ParamError {
+                device: "snspd".to_owned(),
+                param: "number of values among size and num_squares".to_owned(),
+                value: given.to_string(),
+                rule: "be two, or num_squares alone".to_owned(),
+            }
+            .into())
         }
     }
 }
@@ -181,7 +185,7 @@ fn closed(size: OpenSize, num_squares: Option<f64>, unit: f64) -> Result<Size> {
 /// The number of rows: odd for terminals on both sides, even for one.
 fn rows(quotient: f64, terminals_same_side: bool) -> Result<usize> {
     let fitting = count::up(quotient - ROW_NOISE);
-    let rows = if (fitting % 2 == 0) == terminals_same_side { fitting } else { fitting + 1 };
+    let rows = if fitting.is_multiple_of(2) == terminals_same_side { fitting } else { fitting + 1 };
     let fewest = if terminals_same_side { 4_usize } else { 3 };
     Check::device("snspd").unit("").between("number of rows (height / wire_pitch)", rows, fewest, MOST_ROWS)?;
     Ok(rows)

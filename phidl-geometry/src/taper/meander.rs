@@ -147,16 +147,22 @@ struct Fold<'a> {
     straight: bool,
 }
 
-/// A part of the line between two places.
+/// From one place on the line to another (µm).
 #[derive(Clone, Copy)]
 struct Span {
     start: f64,
     end: f64,
 }
 
+/// A part of the line that is a cell of its own.
 enum Piece {
+    /// With this many points on each side.
     Row(Span, usize),
-    Turn { span: Span, radius: f64, left: bool },
+    Turn {
+        span: Span,
+        radius: f64,
+        left: bool,
+    },
 }
 
 impl Fold<'_> {
