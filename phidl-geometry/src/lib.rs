@@ -13,6 +13,8 @@ pub mod connect;
 pub mod nanowire;
 pub mod photonic;
 pub mod taper;
+#[cfg(test)]
+mod testing;
 
 pub use basic::*;
 pub use connect::*;

@@ -120,6 +120,7 @@ fn inner_edge(width: f64, pitch: f64, num_pts: usize) -> Vec<Point> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::testing::outlines_are_simple;
     use proptest::prelude::*;
 
     #[test]
@@ -158,6 +159,7 @@ mod tests {
             let (bottom, edge) = (-(pitch + width) / 2.0, inner_edge(width, pitch, num_pts));
             prop_assert!((d.size().height - (pitch + width)).abs() < 1e-12);
             prop_assert!((d.size().width - 50.0).abs() < 1e-12);
+            prop_assert!(outlines_are_simple(&d));
             prop_assert!(edge.iter().all(|p| p.y - bottom >= width * (1.0 - 1e-12)), "the wire only gets wider");
             prop_assert!(edge.windows(2).all(|p| p[0].y <= p[1].y && p[0].x <= p[1].x), "the edge does not turn back");
             for name in ["1", "2"] {

@@ -83,6 +83,7 @@ pub(super) fn lead_end(edge: &[Point]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::testing::outlines_are_simple;
     use proptest::prelude::*;
 
     #[test]
@@ -101,6 +102,7 @@ mod tests {
             }
             prop_assert!(edge.iter().all(|p| p.x > width && p.y > width), "nowhere narrower than the leads");
             let d = optimal_90deg(width, n, adjust, 0).unwrap();
+            prop_assert!(outlines_are_simple(&d));
             let end = lead_end(&edge);
             prop_assert_eq!(d.bbox(), Some(Rect::new((0, 0), (end, end))));
         }

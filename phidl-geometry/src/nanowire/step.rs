@@ -77,7 +77,7 @@ pub fn optimal_step(
     end_width: f64,
     /// Number of points along the edge.
     #[default(50)]
-    #[param(min = 2, max = 1000000)]
+    #[param(min = 2, max = 100000)]
     num_pts: usize,
     /// How close to the end widths the edge comes, as a part of them.
     #[default(1e-3)]
@@ -211,6 +211,7 @@ impl Flow {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::testing::outlines_are_simple;
     use proptest::prelude::*;
 
     #[test]
@@ -293,6 +294,7 @@ mod tests {
             let params = OptimalStepParams::default().start_width(a).end_width(b).num_pts(n).symmetric(symmetric);
             let d = params.build().unwrap();
             prop_assert!((d.size().height - a.max(b)).abs() < 1e-9);
+            prop_assert!(outlines_are_simple(&d));
             let points = d.polygons().next().unwrap().points.to_vec();
             let up = if a < b { 1.0 } else { -1.0 };
             prop_assert!(points[..n].windows(2).all(|p| up * p[0].x < up * p[1].x && p[0].y <= p[1].y + 1e-3 * a.max(b)));

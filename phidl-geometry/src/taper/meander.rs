@@ -128,6 +128,11 @@ impl<'a> Profile<'a> {
         self.x[self.x.len() - 1]
     }
 
+    /// The places of the profile between two.
+    fn between(&self, start: f64, end: f64) -> &'a [f64] {
+        &self.x[self.x.partition_point(|x| *x < start)..self.x.partition_point(|x| *x < end)]
+    }
+
     fn width(&self, at: f64) -> f64 {
         let after = self.x.partition_point(|x| *x <= at);
         if after == 0 || after == self.x.len() {
@@ -230,7 +235,7 @@ impl Fold<'_> {
         let Span { start, end } = span;
         let mut places: Vec<f64> = linspace(start, end, points).collect();
         if !self.straight {
-            places.extend(self.profile.x.iter().filter(|x| (start..end).contains(x)));
+            places.extend(self.profile.between(start, end));
             places.sort_by(f64::total_cmp);
             places.dedup();
         }
@@ -263,6 +268,7 @@ impl Fold<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::testing::outlines_are_simple;
     use proptest::prelude::*;
 
     fn evenly(straight: bool) -> Device {
@@ -341,6 +347,7 @@ mod tests {
             let x: Vec<f64> = (0..w.len()).map(|i| 50.0 * i as f64).collect();
             // Wide turns, so that no rows touch.
             let d = MeanderTaperParams::new(x.clone(), w.clone()).meander_length(length).min_spacing(4).build().unwrap();
+            prop_assert!(outlines_are_simple(&d));
             for pair in d.references().windows(2) {
                 let (end, start) = (pair[0].port("2").unwrap(), pair[1].port("1").unwrap());
                 prop_assert!(end.midpoint().distance(start.midpoint()) < 1e-9);
