@@ -1,4 +1,5 @@
 //! PHIDL's first tutorial, line for line: polygons, library shapes, ports, references, a file.
+#![expect(clippy::print_stdout, reason = "an example shows what it made")]
 
 use phidl_core::prelude::*;
 use phidl_geometry as pg;
