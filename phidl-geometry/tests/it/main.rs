@@ -1,6 +1,7 @@
 //! Integration tests of the shape library.
 
 mod domain;
+mod extremes;
 mod golden;
 mod hashes;
 mod hashes_basic;
