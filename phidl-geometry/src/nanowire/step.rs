@@ -2,7 +2,7 @@
 //!
 //! The edge is a line of flow of the current through a sudden step, known as a conformal map ζ(η). A point with a given x
 //! or y is looked for by [`least`], with the tolerance that PHIDL uses: the points of its masks depend on it. Where that
-//! search does not reach the end widths (they are more than about 30 times apart, or `width_tol` is tiny) its answer is
+//! search does not reach the end widths (they are more than about 35 times apart, or `width_tol` is tiny) its answer is
 //! no use, and a bracketing root search takes over.
 
 use num_complex::Complex64;
@@ -17,7 +17,7 @@ use super::least::least;
 /// How closely the minimum search looks for η (radians).
 const LEAST_TOLERANCE: f64 = 1e-5;
 /// The part of `width_tol` by which the minimum search may miss an end width and still be trusted.
-const TRUSTED: f64 = 0.1;
+const TRUSTED: f64 = 0.5;
 /// Where the root search starts: this far from 0 and π.
 const OUTERMOST: f64 = 1e-13;
 /// Where the root search ends (radians).
