@@ -18,7 +18,7 @@
 //! | nanowires | [`optimal_hairpin`], [`optimal_step`], [`optimal_90deg`]; [`snspd`], [`snspd_expanded`], [`snspd_candelabra`]; [`ytron_round`] |
 //! | photonics | [`grating`], [`racetrack_gradual`] |
 //! | lithography | [`litho_steps`], [`litho_star`], [`litho_calipers`], [`litho_ruler`] |
-//! | electrical tests | [`test_via`], [`test_comb`], [`test_res`] |
+//! | electrical tests | [`test_via`], [`test_comb`], [`test_ic`], [`test_res`] |
 //! | dies | [`basic_die`] |
 //!
 //! Names, parameters, defaults, ports and drawn points are PHIDL's, so that a script and its mask carry over. Lengths

@@ -42,6 +42,7 @@ fn every_shape_of_the_library_is_registered_and_draws_its_example() {
         "taper",
         "tee",
         "test_comb",
+        "test_ic",
         "test_res",
         "test_via",
         "turn",
