@@ -1,5 +1,6 @@
 //! [`Bounds`]: the range that `#[param(min = …)]` states, checked over the record of a parameter.
 
+use super::parameter::REFUSED;
 use super::unit::Quantity;
 use super::{Kind, Value};
 use crate::error::ParamError;
@@ -49,6 +50,10 @@ impl Bounds {
                 let place = format!("{}{}", at.place, kind.place(i));
                 self.check(Site { place: &place, ..at }, kind.inner(), item)
             }),
+            Value::Map(map) if *kind.inner() == Kind::Port && map.contains_key(REFUSED) => {
+                let rule = format!("be placed with sound values, also by {}", map[REFUSED]);
+                Err(at.error("a port".to_owned(), rule))
+            }
             Value::Map(map) => map.iter().try_for_each(|(key, item)| {
                 let place = format!("{}[{key:?}]", at.place);
                 self.check(Site { place: &place, ..at }, kind.inner(), item)

@@ -64,15 +64,9 @@ options! {
     Layer: Layer, u16, (u16, u16);
     Layers: Layers, &Layers, u16, (u16, u16), Layer, &LayerSet;
     Port: Port, &Port;
-    Device: Device;
+    Device: Device, &Device;
     Value: Value, f64, i32, bool, &str, String;
     Recipe: Recipe;
-}
-
-impl IntoOption<Device> for &Device {
-    fn into_option(self) -> Option<Device> {
-        Some(self.clone())
-    }
 }
 
 impl<X: Into<f64>, Y: Into<f64>> IntoOption<Point> for (X, Y) {

@@ -34,6 +34,11 @@ use crate::port::Port;
 ///     }
 /// }
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot be a parameter of a device generator",
+    label = "not a parameter",
+    note = "parameters are numbers, bools, text, points, sizes, layers, ports, devices, recipes, values, lists, maps and options of them, and enums with `#[derive(Choice)]`"
+)]
 pub trait Param: Clone + std::fmt::Debug + PartialEq + Send + Sync + 'static {
     /// What it takes, for the registry.
     fn kind() -> Kind;
@@ -259,13 +264,23 @@ impl Param for Layers {
     }
 }
 
+/// The entry of a port whose placement was refused: the word. Without it, such a port would look like a sound one to
+/// the cache. [`Bounds`](super::Bounds) refuse the entry.
+pub(super) const REFUSED: &str = "refused";
+
 impl Param for Port {
     fn kind() -> Kind {
         Kind::Port
     }
 
     fn to_value(&self) -> Value {
-        self.into()
+        match (self.into(), self.refused_word()) {
+            (Value::Map(mut map), Some(word)) => {
+                map.insert(REFUSED.to_owned(), word.into());
+                Value::Map(map)
+            }
+            (value, _) => value,
+        }
     }
 
     fn from_value(value: &Value) -> Result<Self, Mismatch> {

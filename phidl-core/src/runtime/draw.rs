@@ -32,8 +32,8 @@ fn run(
         match request(key, entry)? {
             Turn::Done(device) => return Ok(device),
             Turn::Draw(drawing) => return draw(drawing),
-            Turn::DrawApart => {
-                let drawn = worker::apart(&|| draw(flight::start_apart(key, entry)));
+            Turn::DrawApart(end) => {
+                let drawn = worker::apart(&|| draw(flight::start_apart(key, entry, &end)));
                 // It may be no circle at all, but without a thread there is no way to find out.
                 return drawn.unwrap_or_else(|| Err(Error::Circle { chain: vec![entry.name.to_owned(); 2] }));
             }

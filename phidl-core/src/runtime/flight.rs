@@ -37,7 +37,7 @@ pub(super) struct Flights {
 }
 
 /// A cell that others wait for.
-struct Flight {
+pub(super) struct Flight {
     thread: ThreadId,
     /// Whether the thread may take up unrelated jobs in the middle of a body.
     on_worker: bool,
@@ -58,8 +58,8 @@ pub(super) enum Turn {
     Done(Device),
     /// Draw the cell.
     Draw(Drawing),
-    /// Draw the cell on a thread of its own: here it is not clear whether it needs itself.
-    DrawApart,
+    /// Draw the cell on a thread of its own, with [`start_apart`]: here it is not clear whether it needs itself.
+    DrawApart(End),
     /// Ask again: the body panicked in the thread that was waited for.
     Again,
 }
@@ -82,7 +82,7 @@ pub(super) fn request(key: &Key, entry: &'static Entry) -> Result<Turn> {
     }
     let me = thread::current().id();
     if let Some(chain) = state.flights.own_circle(me, key) {
-        return if worker::is_one() { Ok(Turn::DrawApart) } else { Err(Error::Circle { chain }) };
+        return if worker::is_one() { Ok(Turn::DrawApart(End::Cache)) } else { Err(Error::Circle { chain }) };
     }
     let Some(flight) = state.flights.by_key.get(key).cloned() else {
         state.stats.misses += 1;
@@ -90,7 +90,7 @@ pub(super) fn request(key: &Key, entry: &'static Entry) -> Result<Turn> {
     };
     match state.flights.way(me, key) {
         Way::Circle(chain) => Err(Error::Circle { chain }),
-        Way::Unclear => Ok(Turn::Draw(state.alone(me, key, entry))),
+        Way::Unclear => Ok(Turn::Draw(state.draw_again(key, entry))),
         Way::Open => wait(state, me, key, &flight, entry),
     }
 }
@@ -115,7 +115,7 @@ fn wait(
         }
         Some(Some(Err(error))) => Err(error.clone()),
         Some(None) => Ok(Turn::Again),
-        None => Ok(Turn::Draw(state.alone(me, key, entry))),
+        None => Ok(Turn::Draw(state.draw_again(key, entry))),
     }
 }
 
@@ -124,15 +124,14 @@ pub(super) fn request_uncached(key: &Key, entry: &'static Entry) -> Result<Turn>
     let me = thread::current().id();
     let flights = &mut lock().flights;
     if let Some(chain) = flights.own_circle(me, key) {
-        return if worker::is_one() { Ok(Turn::DrawApart) } else { Err(Error::Circle { chain }) };
+        return if worker::is_one() { Ok(Turn::DrawApart(End::Nobody)) } else { Err(Error::Circle { chain }) };
     }
-    flights.push(me, key, entry);
-    Ok(Turn::Draw(Drawing { key: key.clone(), end: End::Nobody }))
+    Ok(Turn::Draw(flights.draw_alone(key, entry, End::Nobody)))
 }
 
 /// Starts to draw a cell that the thread which waits for this one is drawing already.
-pub(super) fn start_apart(key: &Key, entry: &'static Entry) -> Drawing {
-    lock().alone(thread::current().id(), key, entry)
+pub(super) fn start_apart(key: &Key, entry: &'static Entry, end: &End) -> Drawing {
+    lock().flights.draw_alone(key, entry, end.clone())
 }
 
 /// What this thread is drawing, innermost first, until `find` has found something.
@@ -143,15 +142,20 @@ pub(super) fn search_own_stack<T>(find: impl FnMut(&'static Entry) -> Option<T>)
 }
 
 impl State {
-    /// Draws a cell here that another thread is drawing, too.
-    fn alone(&mut self, me: ThreadId, key: &Key, entry: &'static Entry) -> Drawing {
+    /// Draws a cell here that another thread is drawing, too: the one that is finished first is kept.
+    fn draw_again(&mut self, key: &Key, entry: &'static Entry) -> Drawing {
         self.stats.misses += 1;
-        self.flights.push(me, key, entry);
-        Drawing { key: key.clone(), end: End::Cache }
+        self.flights.draw_alone(key, entry, End::Cache)
     }
 }
 
 impl Flights {
+    /// Draws a cell that others may be drawing, too.
+    fn draw_alone(&mut self, key: &Key, entry: &'static Entry, end: End) -> Drawing {
+        self.push(thread::current().id(), key, entry);
+        Drawing { key: key.clone(), end }
+    }
+
     fn start(&mut self, me: ThreadId, key: &Key, entry: &'static Entry) -> Drawing {
         let (outcome, ended) = (OnceLock::new(), Condvar::new());
         let flight = Arc::new(Flight { thread: me, on_worker: worker::is_one(), outcome, ended });
@@ -214,7 +218,8 @@ pub(super) struct Drawing {
 }
 
 /// Who gets the cell, apart from the caller.
-enum End {
+#[derive(Clone)]
+pub(super) enum End {
     Nobody,
     Cache,
     /// The cache, and those who wait.

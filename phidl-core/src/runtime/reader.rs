@@ -34,7 +34,7 @@ impl<'a> Reader<'a> {
     #[doc(hidden)]
     pub fn required<T: Param>(&self, index: usize) -> Result<T> {
         self.given(index)?.ok_or_else(|| {
-            let rule = format!("be given: it is a {} without a default", T::kind());
+            let rule = format!("be given: it has no default and takes {}", T::kind());
             let (device, param) = (self.entry.name.to_owned(), self.entry.row(index).name.to_owned());
             ParamError { device, param, value: "missing".to_owned(), rule }.into()
         })
