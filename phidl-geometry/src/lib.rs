@@ -15,15 +15,19 @@
 //! | basic | [`rectangle`], [`bbox`], [`straight`]; [`cross`]; [`circle`], [`ellipse`]; [`ring`], [`arc`] |
 //! | connecting | [`compass`], [`flagpole`] |
 //! | tapers | [`taper`](fn@taper) |
+//! | arranging | [`grid`](fn@grid), [`gridsweep`](fn@gridsweep), [`packer`](fn@packer) |
 //!
 //! Names, parameters, defaults, ports and drawn points are PHIDL's, so that a script and its mask carry over. Lengths
 //! are micrometers, angles degrees counter-clockwise; nothing is rounded. A program that names no shape but builds some
 //! by name links them with `use phidl_geometry as _;`.
 
+pub mod arguments;
+pub mod arrange;
 pub mod basic;
 pub mod connect;
 pub mod taper;
 
+pub use arrange::{GridParams, GridsweepParams, PackerParams, grid, gridsweep, packer};
 pub use basic::*;
 pub use connect::{CompassParams, FlagpoleParams, compass, flagpole};
 pub use taper::*;

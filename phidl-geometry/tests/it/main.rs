@@ -1,5 +1,7 @@
 //! Integration tests of the shape library.
 
+mod arrange;
 mod golden;
+mod packer;
 mod placement;
 mod registry;
