@@ -15,7 +15,7 @@
 //! | basic | [`rectangle`], [`bbox`], [`straight`]; [`cross`]; [`circle`], [`ellipse`]; [`ring`], [`arc`] |
 //! | connecting | [`compass`], [`flagpole`] |
 //! | tapers | [`taper`](fn@taper) |
-//! | arranging | [`grid`](fn@grid), [`gridsweep`](fn@gridsweep), [`packer`](fn@packer) |
+//! | arranging | [`grid`](fn@grid), [`gridsweep`](fn@gridsweep), [`packer`](fn@packer), [`fill_rectangle`](fn@fill_rectangle) |
 //!
 //! Names, parameters, defaults, ports and drawn points are PHIDL's, so that a script and its mask carry over. Lengths
 //! are micrometers, angles degrees counter-clockwise; nothing is rounded. A program that names no shape but builds some
@@ -25,9 +25,11 @@ pub mod arguments;
 pub mod arrange;
 pub mod basic;
 pub mod connect;
+pub mod fill;
 pub mod taper;
 
 pub use arrange::{GridParams, GridsweepParams, PackerParams, grid, gridsweep, packer};
 pub use basic::*;
 pub use connect::{CompassParams, FlagpoleParams, compass, flagpole};
+pub use fill::{FillRectangleParams, fill_rectangle};
 pub use taper::*;

@@ -1,6 +1,7 @@
 //! Integration tests of the shape library.
 
 mod arrange;
+mod fill;
 mod golden;
 mod packer;
 mod placement;

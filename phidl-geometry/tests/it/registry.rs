@@ -14,6 +14,7 @@ fn every_shape_of_the_library_is_registered_and_draws_its_example() {
         "compass",
         "cross",
         "ellipse",
+        "fill_rectangle",
         "flagpole",
         "grid",
         "gridsweep",
