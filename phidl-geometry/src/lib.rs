@@ -16,6 +16,8 @@
 //! | connecting | [`compass`], [`flagpole`] |
 //! | tapers | [`taper`](fn@taper) |
 //! | arranging | [`grid`](fn@grid), [`gridsweep`](fn@gridsweep), [`packer`](fn@packer), [`fill_rectangle`](fn@fill_rectangle) |
+//! | copying, selecting | [`extract`](fn@extract), [`copy_layer`](fn@copy_layer), [`copy`](fn@copy), [`deepcopy`](fn@deepcopy), [`flatten`](fn@flatten) |
+//! | exchanging | [`ports_to_geometry`](fn@ports_to_geometry), [`geometry_to_ports`](fn@geometry_to_ports), [`preview_layerset`](fn@preview_layerset) |
 //!
 //! Names, parameters, defaults, ports and drawn points are PHIDL's, so that a script and its mask carry over. Lengths
 //! are micrometers, angles degrees counter-clockwise; nothing is rounded. A program that names no shape but builds some
@@ -26,10 +28,12 @@ pub mod arrange;
 pub mod basic;
 pub mod connect;
 pub mod fill;
+pub mod select;
 pub mod taper;
 
 pub use arrange::{GridParams, GridsweepParams, PackerParams, grid, gridsweep, packer};
 pub use basic::*;
 pub use connect::{CompassParams, FlagpoleParams, compass, flagpole};
 pub use fill::{FillRectangleParams, fill_rectangle};
+pub use select::*;
 pub use taper::*;

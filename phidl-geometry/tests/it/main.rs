@@ -6,3 +6,4 @@ mod golden;
 mod packer;
 mod placement;
 mod registry;
+mod select;
