@@ -20,6 +20,9 @@
 //! | lithography | [`litho_steps`], [`litho_star`], [`litho_calipers`], [`litho_ruler`] |
 //! | electrical tests | [`test_via`], [`test_comb`], [`test_ic`], [`test_res`] |
 //! | dies | [`basic_die`] |
+//! | arranging | [`grid`](fn@grid), [`gridsweep`](fn@gridsweep), [`packer`](fn@packer), [`fill_rectangle`](fn@fill_rectangle) |
+//! | copying, selecting | [`extract`](fn@extract), [`copy_layer`](fn@copy_layer), [`copy`](fn@copy), [`deepcopy`](fn@deepcopy), [`flatten`](fn@flatten) |
+//! | exchanging | [`ports_to_geometry`](fn@ports_to_geometry), [`geometry_to_ports`](fn@geometry_to_ports), [`preview_layerset`](fn@preview_layerset) |
 //!
 //! Names, parameters, defaults, ports and drawn points are PHIDL's, so that a script and its mask carry over. Lengths
 //! are micrometers, angles degrees counter-clockwise; nothing is rounded. A program that names no shape but builds some
@@ -34,26 +37,33 @@ struct Readme;
 #[doc = include_str!("../../README.md")]
 struct ProjectReadme;
 
+pub mod arguments;
+pub mod arrange;
 pub mod basic;
 pub mod connect;
 pub mod die;
+pub mod fill;
 mod label_text;
 pub mod litho;
 pub mod nanowire;
 pub mod photonic;
+pub mod select;
 pub mod taper;
 pub mod test_structure;
 #[cfg(test)]
 mod testing;
 
+pub use arrange::{GridParams, GridsweepParams, PackerParams, grid, gridsweep, packer};
 pub use basic::*;
 pub use connect::{
     CompassMultiParams, CompassParams, ConnectorParams, FlagpoleParams, PolygonPortsParams, TeeParams, compass,
     compass_multi, connector, flagpole, polygon_ports, tee,
 };
 pub use die::{BasicDieParams, basic_die};
+pub use fill::{FillRectangleParams, fill_rectangle};
 pub use litho::*;
 pub use nanowire::*;
 pub use photonic::*;
+pub use select::*;
 pub use taper::*;
 pub use test_structure::*;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::flatten::{all_labels, all_outlines};
 use super::rewrite::rewrite_below;
-use super::{Cell, Device, DeviceBuilder, Key, PolygonKey, Properties, ReferenceKey};
+use super::{Cell, Device, DeviceBuilder, Key, Label, PolygonKey, Properties, ReferenceKey};
 use crate::error::{Error, Noun, Result};
 use crate::geom::simplified;
 use crate::layer::{Layer, Layers};
@@ -81,6 +81,16 @@ impl DeviceBuilder {
     pub fn remove_polygons(&mut self, mut test: impl FnMut(super::PolygonView<'_>) -> bool) -> &mut Self {
         let removed = self.cell.outlines.retain(|polygon| !test(polygon));
         removed.iter().rev().for_each(|place| self.removed_polygons.remove_place(*place));
+        self
+    }
+
+    /// Removes the labels of this cell itself for which the test holds.
+    pub fn remove_labels(&mut self, mut test: impl FnMut(&Label) -> bool) -> &mut Self {
+        let removed: Vec<usize> = (0..self.cell.labels.len()).filter(|place| test(&self.cell.labels[*place])).collect();
+        for place in removed.into_iter().rev() {
+            self.removed_labels.remove_place(place);
+            self.cell.labels.remove(place);
+        }
         self
     }
 

@@ -2,7 +2,8 @@
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 
-use super::{Cell, Device};
+use super::{Cell, Device, DeviceBuilder};
+use crate::error::Result;
 use crate::layer::Layer;
 use crate::param::Value;
 
@@ -29,6 +30,36 @@ impl Device {
         }
         finished.reverse();
         finished
+    }
+
+    /// The same hierarchy made of copies, each of which was changed once, placed cells before those that place them. The
+    /// originals stay as they are; a cell that is placed twice is one cell in the copy as well.
+    ///
+    /// ```
+    /// # use phidl_core::prelude::*;
+    /// # let mut d = Device::builder("dot");
+    /// # d.add_polygon([(0, 0), (1, 0), (0, 1)], 1)?;
+    /// # let dot = d.build()?;
+    /// let mut d = Device::builder("pair");
+    /// d.add(&dot);
+    /// d.add(dot.place().moved_by((5, 0)));
+    /// let reviewed = d.build()?.rewritten(|cell| Ok(drop(cell.info("reviewed", true))))?;
+    /// assert!(reviewed.references()[0].device().same_cell(reviewed.references()[1].device()));
+    /// assert!(dot.info().is_empty() && reviewed.references()[0].device().info().contains_key("reviewed"));
+    /// # Ok::<(), phidl_core::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// What `change` says.
+    pub fn rewritten(&self, mut change: impl FnMut(&mut DeviceBuilder) -> Result<()>) -> Result<Device> {
+        let mut copies: HashMap<usize, Device> = HashMap::new();
+        for device in self.cells().iter().rev() {
+            let mut copy = device.edit();
+            retarget(&mut copy.cell, &copies);
+            change(&mut copy)?;
+            copies.insert(device.address(), copy.build()?);
+        }
+        Ok(copies.remove(&self.address()).expect("invariant: the walk over the cells ends with this one"))
     }
 
     /// The info of every distinct cell of the hierarchy below this one, in the order of [`Device::cells`], each with

@@ -179,3 +179,40 @@ fn a_key_given_twice_moves_its_thing_once() {
     d.group([key, key]).move_by((1, 0));
     assert_eq!(d[key].transform().origin, Point::new(1.0, 0.0));
 }
+
+#[test]
+fn labels_are_removed_by_a_test_and_the_keys_of_the_others_stay() {
+    let mut d = Device::builder("labelled");
+    let (a, b, c) = (d.add_label("a", (0, 0), 1), d.add_label("b", (1, 0), 2), d.add_label("c", (2, 0), 1));
+    d.remove_labels(|label| label.text == "a" || label.layer == Layer::new(2, 0));
+    assert!(d.label(a).is_err() && d.label(b).is_err());
+    assert_eq!(d.label(c).unwrap().text, "c");
+    assert_eq!(d.build().unwrap().labels().len(), 1);
+}
+
+#[test]
+fn a_rewritten_hierarchy_shares_its_copies_and_leaves_the_originals_alone() {
+    let mut leaf = Device::builder("leaf");
+    leaf.add_polygon([(0, 0), (1, 0), (0, 1)], 1).unwrap();
+    let leaf = leaf.build().unwrap();
+    let mut middle = Device::builder("middle");
+    middle.add(leaf.array(2, 3, (5, 5)));
+    let middle = middle.build().unwrap();
+    let mut top = Device::builder("top");
+    top.add_as("first", &middle);
+    top.add(leaf.place().rotated(30));
+    let top = top.build().unwrap();
+
+    let mut order = Vec::new();
+    let copy = top.rewritten(|cell| {
+        order.push(cell.name().to_owned());
+        cell.add_polygon([(0, 0), (2, 0), (0, 2)], 2)?;
+        Ok(())
+    });
+    let copy = copy.unwrap();
+    assert_eq!(order, ["leaf", "middle", "top"]);
+    assert_eq!((top.flat_counts().0, copy.flat_counts().0), (7, 2 * 7 + 2));
+    let inner = copy.get("first").unwrap().device().references()[0].device();
+    assert!(inner.same_cell(copy.references()[1].device()) && !inner.same_cell(&leaf));
+    assert!(top.rewritten(|_| Err(Error::custom("leaf", "no"))).is_err());
+}

@@ -1,13 +1,17 @@
 //! Integration tests of the shape library.
 
+mod arrange;
 mod domain;
 mod extremes;
+mod fill;
 mod golden;
 mod hashes;
 mod hashes_basic;
 mod marks_and_tests;
 mod outline;
+mod packer;
 mod placement;
 mod quick_start;
 mod registry;
+mod select;
 mod wires_and_pads;

@@ -1,0 +1,173 @@
+//! [`grid`]: cells in rows and columns.
+
+use phidl_core::num::count;
+use phidl_core::param::{Check, IntoOption, Kind, Mismatch, Param};
+use phidl_core::prelude::*;
+use phidl_macros::device;
+
+use super::lattice::{Follow, Lattice};
+use super::{DeviceList, EdgeX, EdgeY};
+use crate::arguments::PerAxis;
+use crate::basic::rectangle;
+
+/// How many columns and rows a grid has: columns first. −1 is as many as are needed.
+///
+/// ```
+/// # use phidl_geometry::arrange::GridShape;
+/// assert_eq!(GridShape::from((3, -1)), GridShape { columns: 3, rows: -1 });
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct GridShape {
+    /// From left to right.
+    pub columns: i64,
+    /// From top to bottom.
+    pub rows: i64,
+}
+
+impl<C: Into<i64>, R: Into<i64>> From<(C, R)> for GridShape {
+    fn from((columns, rows): (C, R)) -> Self {
+        Self { columns: columns.into(), rows: rows.into() }
+    }
+}
+
+impl IntoOption<GridShape> for GridShape {
+    fn into_option(self) -> Option<GridShape> {
+        Some(self)
+    }
+}
+
+impl<C: Into<i64>, R: Into<i64>> IntoOption<GridShape> for (C, R) {
+    fn into_option(self) -> Option<GridShape> {
+        Some(self.into())
+    }
+}
+
+impl Param for GridShape {
+    fn kind() -> Kind {
+        Kind::Other("number of columns and number of rows")
+    }
+
+    fn to_value(&self) -> Value {
+        [self.columns, self.rows].into()
+    }
+
+    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+        match Vec::<i64>::from_value(value)?[..] {
+            [columns, rows] => Ok(Self { columns, rows }),
+            _ => Err(Mismatch::new(value, "be a number of columns and a number of rows")),
+        }
+    }
+}
+
+/// Places cells in rows and columns, lined up and spaced out by their bounding boxes.
+///
+/// ```text
+///   ┌──┐  ┌────┐   row by row from the top left
+///   └──┘  │    │   ↕ spacing.y
+///   ┌───┐ └────┘
+///   └───┘ ┌──┐     the leftmost column and the bottom row stay where they are
+///      ↔ spacing.x
+/// ```
+///
+/// One reference for each place of the grid, row by row from the top left. Each row is lined up by `align_y`, each
+/// column by `align_x`; then the columns are spaced out to the right and the rows upwards. A place without a cell, or
+/// with one that draws nothing, takes no room.
+///
+/// # Ports
+/// None.
+///
+/// # Errors
+/// An empty list; rows of different lengths; a `shape` with fewer places than cells.
+///
+/// # Examples
+/// ```
+/// # use phidl_core::prelude::*;
+/// # use phidl_geometry as pg;
+/// let cells: Vec<Device> = (1..=5).map(|r| pg::circle(r, 2.5, 0)).collect::<Result<_>>()?;
+/// let two_columns = pg::GridParams::new(cells).shape((2, -1)).spacing(1).build()?;
+/// assert_eq!(two_columns.references().len(), 6);
+/// # Ok::<(), Error>(())
+/// ```
+///
+/// # Source
+/// Own design, compatible with PHIDL's `grid`, except that free places take no part (see [`arrange`](super)).
+#[device(example = GridParams::new([rectangle((1, 1), 0)?, rectangle((3, 3), 0)?, rectangle((2, 2), 0)?]).shape((2, -1)))]
+pub fn grid(
+    /// The cells: a list, or rows with the top one first.
+    device_list: DeviceList,
+    /// Between columns and between rows: the gap, or without `separation` the pitch.
+    #[default((5, 10))]
+    #[param(unit = "um")]
+    spacing: PerAxis,
+    /// Whether `spacing` is the gap between bounding boxes; otherwise it is the pitch of `edge_x` and `edge_y`.
+    #[default(true)]
+    separation: bool,
+    /// Columns and rows, −1 for as many as are needed; none takes the list as it is.
+    #[default(None)]
+    shape: Option<GridShape>,
+    /// What the cells of a column have in common.
+    #[default(EdgeX::X)]
+    align_x: EdgeX,
+    /// What the cells of a row have in common.
+    #[default(EdgeY::Y)]
+    align_y: EdgeY,
+    /// Without `separation`: what the pitch of the columns is measured at.
+    #[default(EdgeX::X)]
+    edge_x: EdgeX,
+    /// Without `separation`: what the pitch of the rows is measured at.
+    #[default(EdgeY::YMax)]
+    edge_y: EdgeY,
+) -> Result<Device> {
+    let (columns, rows) = places(&device_list, shape)?;
+    let mut lattice = Lattice::new(device_list, columns, rows)?;
+    lattice.align(align_y.into(), align_x.into());
+    match separation {
+        true => lattice.distribute(Follow::Gap(spacing.x), Follow::Gap(spacing.y)),
+        false => {
+            lattice.distribute(Follow::Pitch(edge_x.into(), spacing.x), Follow::Pitch(edge_y.into(), spacing.y));
+        }
+    }
+    let mut d = Device::builder("grid");
+    for reference in lattice.into_references() {
+        d.add(reference);
+    }
+    d.build()
+}
+
+/// Columns and rows of a grid of a list, after everything that can be wrong with them.
+fn places(list: &DeviceList, shape: Option<GridShape>) -> Result<(usize, usize)> {
+    let (columns, rows) = extent(list)?;
+    let cells = columns * rows;
+    let check = Check::device("grid");
+    check.that("device_list", "empty", cells > 0, "hold at least one cell")?;
+    let Some(shape) = shape else { return Ok((columns, rows)) };
+    let shown = format!("({}, {})", shape.columns, shape.rows);
+    let number = |n: i64| usize::try_from(n).ok().filter(|n| (1..=count::MOST).contains(n));
+    let places = match (number(shape.columns), number(shape.rows)) {
+        (Some(columns), Some(rows)) => Some((columns, rows)),
+        (Some(columns), None) if shape.rows == -1 => Some((columns, cells.div_ceil(columns))),
+        (None, Some(rows)) if shape.columns == -1 => Some((cells.div_ceil(rows), rows)),
+        _ => None,
+    };
+    let rule = "be two numbers from 1 on, one of which may be -1 for as many as are needed";
+    check.that("shape", &shown, places.is_some(), rule)?;
+    let (columns, rows) = places.unwrap_or_default();
+    let enough = (cells..=count::MOST).contains(&columns.saturating_mul(rows));
+    check.that("shape", shown, enough, &format!("have places for {cells} cells, and at most {}", count::MOST))?;
+    Ok((columns, rows))
+}
+
+/// Columns and rows of a list as it is.
+fn extent(list: &DeviceList) -> Result<(usize, usize)> {
+    match list {
+        DeviceList::Flat(slots) => Ok((slots.len(), 1)),
+        DeviceList::Rows(rows) => {
+            let columns = rows.first().map_or(0, Vec::len);
+            if let Some((place, row)) = rows.iter().enumerate().find(|(_, row)| row.len() != columns) {
+                let rule = format!("be {columns} cells long, as row 0 is");
+                Check::device("grid").that(&format!("device_list[{place}]"), row.len(), false, &rule)?;
+            }
+            Ok((columns, rows.len()))
+        }
+    }
+}

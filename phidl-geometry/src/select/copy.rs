@@ -1,0 +1,98 @@
+//! [`copy`], [`deepcopy`] and [`flatten`].
+//!
+//! A finished cell never changes, so nobody has to copy one to be safe: a clone of a `Device` is the same cell, and
+//! `device.edit()` opens a copy to be changed. These generators are for scripts that copy by name, and for files in which
+//! two equal cells are to be two. They are not cached, since each call is to give a cell of its own.
+
+use phidl_core::prelude::*;
+use phidl_macros::device;
+
+/// Makes a new cell with the same content: polygons, labels, ports, aliases, info and properties, and references to the
+/// same cells.
+///
+/// # Ports
+/// Those of the original.
+///
+/// # Examples
+/// ```
+/// # use phidl_core::prelude::*;
+/// # use phidl_geometry as pg;
+/// let pad = pg::compass((4, 2), 1)?;
+/// let twin = pg::copy(&pad)?;
+/// assert!(!twin.same_cell(&pad) && twin.references()[0].device().same_cell(pad.references()[0].device()));
+/// # Ok::<(), Error>(())
+/// ```
+///
+/// # Source
+/// Own design, compatible with PHIDL's `copy`, which loses arrays, properties and parts of labels.
+#[device(no_cache, example = CopyParams::new(crate::connect::compass((4, 2), 0)?))]
+pub fn copy(
+    /// The original.
+    #[param(name = "D")]
+    device: Device,
+) -> Result<Device> {
+    device.edit().build()
+}
+
+/// Makes a new hierarchy with the same content: as [`copy`](fn@copy), with copies of all cells below. A cell that is
+/// placed several times is copied once. The copies do not record the generators that drew the originals.
+///
+/// # Ports
+/// Those of the original.
+///
+/// # Examples
+/// ```
+/// # use phidl_core::prelude::*;
+/// # use phidl_geometry as pg;
+/// let pad = pg::compass((4, 2), 1)?;
+/// let twin = pg::deepcopy(&pad)?;
+/// assert!(!twin.references()[0].device().same_cell(pad.references()[0].device()));
+/// assert_eq!(twin.hash_geometry(1e-4)?, pad.hash_geometry(1e-4)?);
+/// # Ok::<(), Error>(())
+/// ```
+///
+/// # Source
+/// Own design, compatible with PHIDL's `deepcopy`.
+#[device(no_cache, example = DeepcopyParams::new(crate::connect::compass((4, 2), 0)?))]
+pub fn deepcopy(
+    /// The original.
+    #[param(name = "D")]
+    device: Device,
+) -> Result<Device> {
+    device.rewritten(|_| Ok(()))
+}
+
+/// Draws the whole hierarchy in one cell without references; name, ports and info stay. Aliases go with the references
+/// that they name.
+///
+/// # Ports
+/// Those of the original.
+///
+/// # Examples
+/// ```
+/// # use phidl_core::prelude::*;
+/// # use phidl_geometry as pg;
+/// let pad = pg::compass((4, 2), 1)?;
+/// let flat = pg::flatten(&pad, (9, 8))?;
+/// assert_eq!((flat.references().len(), flat.layers()), (0, vec![Layer::new(9, 8)]));
+/// # Ok::<(), Error>(())
+/// ```
+///
+/// # Source
+/// Own design, compatible with PHIDL's `flatten`, which loses arrays and does not look at `single_layer`.
+#[device(example = FlattenParams::new(crate::connect::compass((4, 2), 0)?))]
+pub fn flatten(
+    /// The original.
+    #[param(name = "D")]
+    device: Device,
+    /// The layer for all polygons and labels; none leaves them where they are.
+    #[default(None)]
+    single_layer: Option<Layer>,
+) -> Result<Device> {
+    let mut d = device.edit();
+    match single_layer {
+        Some(layer) => d.flatten_onto(layer),
+        None => d.flatten(),
+    };
+    d.build()
+}
