@@ -11,15 +11,12 @@ use proptest::sample::select;
 
 /// Values for all parameters that can be drawn at random, inside their bounds; the others keep their defaults.
 ///
-/// # Panics
-/// If a parameter without a default is of a kind that nothing is drawn for.
-pub fn params(entry: &Entry) -> BoxedStrategy<BTreeMap<String, Value>> {
-    entry.params().into_iter().fold(Just(BTreeMap::new()).boxed(), |all, param| {
-        let Some(values) = value(&param.kind, &param.bounds) else {
-            assert!(param.default.is_some(), "{} of {}: nothing is drawn for {}", param.name, entry.name, param.kind);
-            return all;
-        };
-        with(all, &param, values)
+/// `None` if a parameter without a default is of a kind that nothing is drawn for: a device, another generator.
+pub fn params(entry: &Entry) -> Option<BoxedStrategy<BTreeMap<String, Value>>> {
+    let nothing = Just(BTreeMap::new()).boxed();
+    entry.params().into_iter().try_fold(nothing, |all, param| match value(&param.kind, &param.bounds) {
+        Some(values) => Some(with(all, &param, values)),
+        None => param.default.is_some().then_some(all),
     })
 }
 
