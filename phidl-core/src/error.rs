@@ -164,6 +164,22 @@ impl Error {
         Self::Within { device: device.into(), source: Arc::new(self) }
     }
 
+    /// The cell that the outermost layer names; none for a circle, which names its own.
+    pub(crate) fn owner(&self) -> Option<&str> {
+        match self {
+            Self::Param(error) => Some(&error.device),
+            Self::NotFinite { device, .. }
+            | Self::Refused { device, .. }
+            | Self::TooFewPoints { device, .. }
+            | Self::Empty { device, .. }
+            | Self::Duplicate { device, .. }
+            | Self::Custom { device, .. }
+            | Self::Within { device, .. } => Some(device),
+            Self::Unknown { owner, .. } => Some(owner),
+            Self::Circle { .. } => None,
+        }
+    }
+
     /// The error at the end of the chain of [`Error::Within`].
     #[must_use]
     pub fn root(&self) -> &Self {

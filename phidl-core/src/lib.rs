@@ -26,7 +26,9 @@
 //! | [`Layer`](layer::Layer), [`Layers`](layer::Layers), [`LayerSet`](layer::LayerSet) | one; one, several or none; named and colored | [`layer`] |
 //! | [`Point`](geom::Point), [`Transform`](geom::Transform), [`Rect`](geom::Rect) | coordinates, GDSII's placements, boxes | [`geom`] |
 //! | [`Grid`](num::grid::Grid), angles, point counts | the one rounding rule; exact quarter turns | [`num`] |
-//! | [`Value`](param::Value) | what parameters and info records are made of | [`param`] |
+//! | [`Value`](param::Value), [`Param`](param::Param), [`Check`](param::Check) | what parameters and records are made of; what can be a parameter; rules between them | [`param`] |
+//! | [`Generator`], [`Recipe`](runtime::Recipe) | parameters that can be drawn, cached; a generator to be drawn with others | [`runtime`] |
+//! | [`cache`], [`registry`] | each parameter set is drawn once; every generator of a program by name | [`runtime`] |
 //!
 //! # Conventions
 //! Lengths are micrometers in `f64`, angles are degrees counter-clockwise, y is up. Multiples of 90° are exact. A
@@ -34,10 +36,14 @@
 //! a grid; that happens on entry into the boolean engine and when a file is written.
 //!
 //! # Features
-//! `parallel`: [`Device::flattened`](scene::Device::flattened) expands large hierarchies on all cores (with rayon).
+//! `parallel`: [`Device::flattened`](scene::Device::flattened) expands large hierarchies on all cores (with rayon), and
+//! generators may be called from parallel loops of rayon. Whoever uses rayon around or inside generators turns it on.
 //!
 //! This crate knows no file format, no boolean engine and no clock, and it never prints.
 
+#[doc(hidden)]
+#[path = "private.rs"]
+pub mod __private;
 pub mod error;
 pub mod geom;
 pub mod hash;
@@ -47,6 +53,8 @@ pub mod param;
 pub mod place;
 pub mod port;
 pub mod prelude;
+pub mod runtime;
 pub mod scene;
 
 pub use error::{Error, Result};
+pub use runtime::{Generator, cache, registry};

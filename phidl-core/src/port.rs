@@ -118,6 +118,11 @@ impl Port {
         Self { orientation: angle::normalized(self.orientation + 180.0), ..self.clone() }
     }
 
+    /// The placement word that was refused, if one was.
+    pub(crate) fn refused_word(&self) -> Option<&'static str> {
+        self.fault.as_ref().map(|fault| fault.word)
+    }
+
     /// Refuses what cannot be an opening, in the name of a cell.
     pub(crate) fn check(&self, device: &str) -> Result<()> {
         let what = |what: &str| format!("{what} of port \"{}\"", self.name).into();

@@ -249,10 +249,10 @@ mod tests {
     #[test]
     fn equal_cells_have_equal_hashes_and_zeros_have_no_sign() {
         let negative = cell(|d| {
-            d.add(crate::scene::Label::new("x", (-0.0, 0), 1));
+            d.add(Label::new("x", (-0.0, 0), 1));
         });
         let positive = cell(|d| {
-            d.add(crate::scene::Label::new("x", (0, 0), 1));
+            d.add(Label::new("x", (0, 0), 1));
         });
         assert_eq!(negative.content_hash(), positive.content_hash());
         assert_eq!(negative, positive);

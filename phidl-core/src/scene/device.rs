@@ -244,6 +244,13 @@ impl Bounded for Device {
     }
 }
 
+impl From<&Device> for Device {
+    /// The same cell once more, as cheap as a clone.
+    fn from(device: &Device) -> Self {
+        device.clone()
+    }
+}
+
 impl PartialEq for Device {
     fn eq(&self, other: &Self) -> bool {
         self.same_cell(other) || self.content_hash() == other.content_hash()

@@ -1,0 +1,68 @@
+//! [`Mismatch`]: a value that cannot be taken for a parameter.
+
+use super::Value;
+use crate::error::{Error, ParamError};
+
+/// Why a [`Value`] is not what a parameter takes: the value, the rule, and the place inside the parameter.
+///
+/// ```
+/// # use phidl_core::param::{Mismatch, Value};
+/// let mismatch = Mismatch::new(&Value::from("x"), "be a number").at("[3]");
+/// assert_eq!(mismatch.to_string(), "[3] is \"x\", but it must be a number");
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mismatch(Box<Inner>);
+
+#[derive(Debug, Clone, PartialEq)]
+struct Inner {
+    place: String,
+    value: String,
+    rule: String,
+    /// What went wrong when the value was to be drawn.
+    cause: Option<Error>,
+}
+
+impl Mismatch {
+    /// A value that must do otherwise; the rule is the end of "it must …".
+    pub fn new(value: &Value, rule: impl Into<String>) -> Self {
+        let (value, rule) = (value.to_string(), rule.into());
+        Self(Box::new(Inner { place: String::new(), value, rule, cause: None }))
+    }
+
+    /// A value that names a device which could not be drawn.
+    pub(crate) fn caused_by(value: &Value, cause: Error) -> Self {
+        let mut mismatch = Self::new(value, "be a device that can be drawn");
+        mismatch.0.cause = Some(cause);
+        mismatch
+    }
+
+    /// The same, one level further out: `[3]` in a list, `.width` in a size.
+    #[must_use]
+    pub fn at(mut self, place: impl std::fmt::Display) -> Self {
+        self.0.place.insert_str(0, &place.to_string());
+        self
+    }
+
+    /// The error of a generator's parameter.
+    pub(crate) fn into_error(self, device: &str, param: &str) -> Error {
+        let Inner { place, value, rule, cause } = *self.0;
+        match cause {
+            Some(cause) => cause.within(device),
+            None => ParamError { device: device.to_owned(), param: format!("{param}{place}"), value, rule }.into(),
+        }
+    }
+}
+
+impl std::fmt::Display for Mismatch {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Inner { place, value, rule, .. } = &*self.0;
+        let place = if place.is_empty() { "the value" } else { place };
+        write!(f, "{place} is {value}, but it must {rule}")
+    }
+}
+
+impl std::error::Error for Mismatch {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        self.0.cause.as_ref().map(|cause| cause as _)
+    }
+}

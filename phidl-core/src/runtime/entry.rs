@@ -1,0 +1,155 @@
+//! [`Entry`]: what the registry knows of a generator.
+
+use std::collections::BTreeMap;
+
+use super::{Generator, Reader, Record};
+use crate::error::Result;
+use crate::param::{Bounds, Kind, Param, Site, Value};
+use crate::scene::Device;
+
+/// A generator that is linked into the program.
+pub struct Entry {
+    /// The name under which it is registered.
+    pub name: &'static str,
+    /// Path of the module it stands in.
+    pub module: &'static str,
+    /// Version of the crate it stands in.
+    pub version: &'static str,
+    /// Its documentation, in Markdown.
+    pub docs: &'static str,
+    rows: &'static [Row],
+    defaults: fn() -> Vec<Option<Value>>,
+    example: fn() -> Result<Record>,
+    record: fn(&Reader<'_>) -> Result<Record>,
+    build: fn(&Reader<'_>) -> Result<Device>,
+}
+
+/// A parameter of a generator.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ParamInfo {
+    /// The name under which it is registered.
+    pub name: &'static str,
+    /// Its documentation, in Markdown.
+    pub docs: &'static str,
+    /// What it takes.
+    pub kind: Kind,
+    /// The unit of its numbers, spelled as in `#[param(unit = …)]`.
+    pub unit: Option<&'static str>,
+    /// The range of its numbers.
+    pub bounds: Bounds,
+    /// What it is if it is not given; `None` if it must be given.
+    pub default: Option<Value>,
+}
+
+/// A parameter as the macro writes it down. (Hidden: what generated code fills in.)
+#[derive(Debug)]
+pub struct Row {
+    pub(super) name: &'static str,
+    docs: &'static str,
+    kind: fn() -> Kind,
+    unit: &'static str,
+    bounds: Bounds,
+}
+
+impl Row {
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn new<T: Param>(name: &'static str, docs: &'static str, unit: &'static str, bounds: Bounds) -> Self {
+        Self { name, docs, kind: T::kind, unit, bounds }
+    }
+}
+
+impl Entry {
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn new<G: Generator>(
+        name: &'static str,
+        module: &'static str,
+        version: &'static str,
+        docs: &'static str,
+        rows: &'static [Row],
+    ) -> Self {
+        Self {
+            name,
+            module,
+            version,
+            docs,
+            rows,
+            defaults: G::defaults,
+            example: || Ok(G::example()?.record()),
+            record: |from| Ok(G::read(from)?.record()),
+            build: |from| G::read(from)?.build(),
+        }
+    }
+
+    /// The parameters, in the generator's order.
+    #[must_use]
+    pub fn params(&self) -> Vec<ParamInfo> {
+        let info = |(row, default): (&Row, _)| ParamInfo {
+            name: row.name,
+            docs: row.docs,
+            kind: (row.kind)(),
+            unit: (!row.unit.is_empty()).then_some(row.unit),
+            bounds: row.bounds,
+            default,
+        };
+        self.rows.iter().zip((self.defaults)()).map(info).collect()
+    }
+
+    /// The parameters with which galleries and tests draw it: those of `#[device(example = …)]`, or the defaults.
+    ///
+    /// # Errors
+    /// [`ParamError`](crate::error::ParamError) if a parameter has no default and no example was given, and what the
+    /// example says.
+    pub fn example(&self) -> Result<Record> {
+        (self.example)()
+    }
+
+    /// Every parameter of a call with these ones, the others at their defaults: checked, but not drawn.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`](crate::Error::Unknown) for a parameter that is not there,
+    /// [`ParamError`](crate::error::ParamError) for one that is missing, of another kind or out of its bounds.
+    pub fn record(&'static self, params: &BTreeMap<String, Value>) -> Result<Record> {
+        let record = (self.record)(&Reader::new(self, params)?)?;
+        self.check_bounds(&record)?;
+        Ok(record)
+    }
+
+    /// The cell with these parameters, the others at their defaults.
+    ///
+    /// # Errors
+    /// As for [`Entry::record`], and what the generator says.
+    pub fn build(&'static self, params: &BTreeMap<String, Value>) -> Result<Device> {
+        (self.build)(&Reader::new(self, params)?)
+    }
+
+    /// The registered names of the parameters.
+    pub(super) fn names(&self) -> impl Iterator<Item = &'static str> {
+        self.rows.iter().map(|row| row.name)
+    }
+
+    pub(super) fn row(&self, index: usize) -> &'static Row {
+        &self.rows[index]
+    }
+
+    /// The unit of a parameter, if it has one.
+    pub(super) fn unit(&self, param: &str) -> Option<&'static str> {
+        self.rows.iter().find(|row| row.name == param).map(|row| row.unit)
+    }
+
+    /// Refuses a number that is out of its bounds or not finite.
+    pub(super) fn check_bounds(&self, record: &Record) -> Result<()> {
+        for (row, (_, value)) in self.rows.iter().zip(record) {
+            let at = Site { device: self.name, place: row.name, unit: row.unit };
+            row.bounds.check(at, &(row.kind)(), value)?;
+        }
+        Ok(())
+    }
+}
+
+impl std::fmt::Debug for Entry {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "Entry({}::{})", self.module, self.name)
+    }
+}

@@ -1,0 +1,270 @@
+//! Cells that are being drawn: who draws what, and who waits for whom.
+//!
+//! Every thread has a stack of the bodies it runs, and waits for at most one cell of another thread. A thread that is
+//! about to wait first follows the waiting from owner to owner; if the way leads back to itself, the generators need
+//! each other in a circle, and waiting would never end.
+//!
+//! A worker of rayon is different (feature `parallel`): while a body on it waits for a parallel loop of its own, the
+//! worker may take up an unrelated job that asks for the very cell the body is drawing. That is no circle of
+//! generators, and waiting would still never end. So a worker waits with limited patience and then draws the cell
+//! itself, and a circle that leads over a worker is looked into by drawing on a thread of its own, which takes up no
+//! jobs: a real circle shows itself there. The cell that is finished first is kept for everyone.
+//!
+//! A body that starts threads by hand and asks from them for the cell that it is drawing is out of sight here; it hangs.
+
+use std::collections::HashMap;
+use std::sync::{Arc, Condvar, MutexGuard, OnceLock, PoisonError};
+use std::thread::{self, ThreadId};
+
+use rustc_hash::FxBuildHasher;
+
+use super::Entry;
+use super::cache::{State, lock};
+use super::key::Key;
+use super::worker;
+use crate::error::{Error, Result};
+use crate::scene::Device;
+
+/// All cells that are being drawn.
+#[derive(Default)]
+pub(super) struct Flights {
+    /// Those that others wait for.
+    by_key: HashMap<Key, Arc<Flight>, FxBuildHasher>,
+    /// What each thread draws, outermost first.
+    stacks: HashMap<ThreadId, Vec<Frame>, FxBuildHasher>,
+    /// The cell that a thread waits for.
+    waiting: HashMap<ThreadId, Key, FxBuildHasher>,
+}
+
+/// A cell that others wait for.
+pub(super) struct Flight {
+    thread: ThreadId,
+    /// Whether the thread may take up unrelated jobs in the middle of a body.
+    on_worker: bool,
+    /// Set at the end; `None` if the body panicked.
+    outcome: OnceLock<Option<Result<Device>>>,
+    ended: Condvar,
+}
+
+/// A body that runs.
+struct Frame {
+    key: Key,
+    entry: &'static Entry,
+}
+
+/// What a call for a cell is to do.
+pub(super) enum Turn {
+    /// Take the cell.
+    Done(Device),
+    /// Draw the cell.
+    Draw(Drawing),
+    /// Draw the cell on a thread of its own, with [`start_apart`]: here it is not clear whether it needs itself.
+    DrawApart(End),
+    /// Ask again: the body panicked in the thread that was waited for.
+    Again,
+}
+
+/// The way of the waiting, from the wanted cell on.
+enum Way {
+    /// It ends at a thread that is drawing.
+    Open,
+    /// It leads back here. These generators need each other.
+    Circle(Vec<String>),
+    /// It leads back here, but over a worker.
+    Unclear,
+}
+
+/// Asks for a cell, and waits if another thread is drawing it.
+pub(super) fn request(key: &Key, entry: &'static Entry) -> Result<Turn> {
+    let mut state = lock();
+    if let Some(device) = state.hit(key) {
+        return Ok(Turn::Done(device));
+    }
+    let me = thread::current().id();
+    if let Some(chain) = state.flights.own_circle(me, key) {
+        return if worker::is_one() { Ok(Turn::DrawApart(End::Cache)) } else { Err(Error::Circle { chain }) };
+    }
+    let Some(flight) = state.flights.by_key.get(key).cloned() else {
+        state.stats.misses += 1;
+        return Ok(Turn::Draw(state.flights.start(me, key, entry)));
+    };
+    match state.flights.way(me, key) {
+        Way::Circle(chain) => Err(Error::Circle { chain }),
+        Way::Unclear => Ok(Turn::Draw(state.draw_again(key, entry))),
+        Way::Open => wait(state, me, key, &flight, entry),
+    }
+}
+
+fn wait(
+    mut state: MutexGuard<'static, State>,
+    me: ThreadId,
+    key: &Key,
+    flight: &Flight,
+    entry: &'static Entry,
+) -> Result<Turn> {
+    state.flights.waiting.insert(me, key.clone());
+    let mut patient = true;
+    while flight.outcome.get().is_none() && patient {
+        (state, patient) = worker::wait(&flight.ended, state);
+    }
+    state.flights.waiting.remove(&me);
+    match flight.outcome.get() {
+        Some(Some(Ok(device))) => {
+            state.stats.hits += 1;
+            Ok(Turn::Done(device.clone()))
+        }
+        Some(Some(Err(error))) => Err(error.clone()),
+        Some(None) => Ok(Turn::Again),
+        None => Ok(Turn::Draw(state.draw_again(key, entry))),
+    }
+}
+
+/// Asks to draw a cell which nobody else will get.
+pub(super) fn request_uncached(key: &Key, entry: &'static Entry) -> Result<Turn> {
+    let me = thread::current().id();
+    let flights = &mut lock().flights;
+    if let Some(chain) = flights.own_circle(me, key) {
+        return if worker::is_one() { Ok(Turn::DrawApart(End::Nobody)) } else { Err(Error::Circle { chain }) };
+    }
+    Ok(Turn::Draw(flights.draw_alone(key, entry, End::Nobody)))
+}
+
+/// Starts to draw a cell that the thread which waits for this one is drawing already.
+pub(super) fn start_apart(key: &Key, entry: &'static Entry, end: &End) -> Drawing {
+    lock().flights.draw_alone(key, entry, end.clone())
+}
+
+/// What this thread is drawing, innermost first, until `find` has found something.
+pub(super) fn search_own_stack<T>(find: impl FnMut(&'static Entry) -> Option<T>) -> Option<T> {
+    let state = lock();
+    let stack = state.flights.stacks.get(&thread::current().id())?;
+    stack.iter().rev().map(|frame| frame.entry).find_map(find)
+}
+
+impl State {
+    /// Draws a cell here that another thread is drawing, too: the one that is finished first is kept.
+    fn draw_again(&mut self, key: &Key, entry: &'static Entry) -> Drawing {
+        self.stats.misses += 1;
+        self.flights.draw_alone(key, entry, End::Cache)
+    }
+}
+
+impl Flights {
+    /// Draws a cell that others may be drawing, too.
+    fn draw_alone(&mut self, key: &Key, entry: &'static Entry, end: End) -> Drawing {
+        self.push(thread::current().id(), key, entry);
+        Drawing { key: key.clone(), end }
+    }
+
+    fn start(&mut self, me: ThreadId, key: &Key, entry: &'static Entry) -> Drawing {
+        let (outcome, ended) = (OnceLock::new(), Condvar::new());
+        let flight = Arc::new(Flight { thread: me, on_worker: worker::is_one(), outcome, ended });
+        self.by_key.insert(key.clone(), Arc::clone(&flight));
+        self.push(me, key, entry);
+        Drawing { key: key.clone(), end: End::Waiting(flight) }
+    }
+
+    fn push(&mut self, me: ThreadId, key: &Key, entry: &'static Entry) {
+        self.stacks.entry(me).or_default().push(Frame { key: key.clone(), entry });
+    }
+
+    /// The names from a cell upwards, if this thread is drawing it.
+    fn own_circle(&self, me: ThreadId, key: &Key) -> Option<Vec<String>> {
+        let mut chain = self.names_from(me, key);
+        chain.push(chain.first()?.clone());
+        Some(chain)
+    }
+
+    /// What a thread draws, from a cell on.
+    fn names_from(&self, thread: ThreadId, key: &Key) -> Vec<String> {
+        let stack = self.stacks.get(&thread).map(Vec::as_slice).unwrap_or_default();
+        stack.iter().skip_while(|frame| frame.key != *key).map(|frame| frame.entry.name.to_owned()).collect()
+    }
+
+    /// Follows the waiting from a wanted cell on.
+    fn way(&self, me: ThreadId, wanted: &Key) -> Way {
+        let (mut chain, mut clear) = (Vec::new(), !worker::is_one());
+        let mut key = wanted;
+        while let Some(flight) = self.by_key.get(key) {
+            chain.extend(self.names_from(flight.thread, key));
+            clear &= !flight.on_worker;
+            if flight.thread == me {
+                chain.extend(chain.first().cloned());
+                return if clear { Way::Circle(chain) } else { Way::Unclear };
+            }
+            match self.waiting.get(&flight.thread) {
+                Some(next) => key = next,
+                None => return Way::Open,
+            }
+        }
+        Way::Open
+    }
+
+    /// Takes the innermost body from the stack of a thread.
+    fn pop(&mut self, thread: ThreadId) {
+        if let Some(stack) = self.stacks.get_mut(&thread) {
+            stack.pop();
+            if stack.is_empty() {
+                self.stacks.remove(&thread);
+            }
+        }
+    }
+}
+
+/// The right and the duty to draw a cell. Dropped without an end (by a panic), it releases those who wait.
+pub(super) struct Drawing {
+    key: Key,
+    end: End,
+}
+
+/// Who gets the cell, apart from the caller.
+#[derive(Clone)]
+pub(super) enum End {
+    Nobody,
+    Cache,
+    /// The cache, and those who wait.
+    Waiting(Arc<Flight>),
+}
+
+impl Drawing {
+    /// Ends the drawing: keeps the cell and gives it, or the failure, to those who wait.
+    ///
+    /// Returns the cell that is kept, which is another one if somebody else was first.
+    pub(super) fn end(mut self, result: Result<Device>) -> Result<Device> {
+        let end = std::mem::replace(&mut self.end, End::Nobody);
+        if matches!(end, End::Nobody) {
+            return result;
+        }
+        let mut state = lock();
+        let result = result.map(|device| state.keep_first(&self.key, device));
+        if let End::Waiting(flight) = end {
+            state.flights.land(&self.key, &flight, Some(result.clone()));
+        }
+        drop(state);
+        result
+    }
+}
+
+impl Drop for Drawing {
+    fn drop(&mut self) {
+        let mut state = lock();
+        if let End::Waiting(flight) = &self.end {
+            state.flights.land(&self.key, flight, None);
+        }
+        state.flights.pop(thread::current().id());
+    }
+}
+
+impl Flights {
+    fn land(&mut self, key: &Key, flight: &Flight, outcome: Option<Result<Device>>) {
+        self.by_key.remove(key);
+        let fresh = flight.outcome.set(outcome);
+        debug_assert!(fresh.is_ok(), "invariant: a flight ends with its drawing, once");
+        flight.ended.notify_all();
+    }
+}
+
+/// Waits for a signal without limit.
+pub(super) fn wait_for(ended: &Condvar, state: MutexGuard<'static, State>) -> MutexGuard<'static, State> {
+    ended.wait(state).unwrap_or_else(PoisonError::into_inner)
+}

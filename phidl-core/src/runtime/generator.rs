@@ -1,0 +1,59 @@
+//! [`Generator`]: a set of parameters that can be drawn.
+
+use std::collections::BTreeMap;
+
+use super::{Entry, Reader, draw};
+use crate::error::Result;
+use crate::param::Value;
+use crate::scene::Device;
+
+/// Every parameter of a generator as a plain value, by its registered name, in the generator's order.
+///
+/// The one walk over the parameters: the key of the cache, the [`Source`](crate::scene::Source) of the cell and what is
+/// written to JSON are all made of it, so they cannot drift apart.
+pub type Record = Vec<(&'static str, Value)>;
+
+/// The parameters of a generator, as `#[device]` declares them.
+///
+/// It is not meant to be implemented by hand; its hidden items are what the macro fills in and may change.
+pub trait Generator: Clone + std::fmt::Debug + PartialEq + Send + Sync + Sized + 'static {
+    /// What the registry knows of the generator.
+    fn entry() -> &'static Entry;
+
+    /// Every parameter as a plain value.
+    fn record(&self) -> Record;
+
+    /// Takes every parameter from plain values, or its default.
+    #[doc(hidden)]
+    fn read(from: &Reader<'_>) -> Result<Self>;
+
+    /// The defaults, in the generator's order.
+    #[doc(hidden)]
+    fn defaults() -> Vec<Option<Value>>;
+
+    /// What galleries and tests draw.
+    #[doc(hidden)]
+    fn example() -> Result<Self> {
+        Self::read(&Reader::new(Self::entry(), &BTreeMap::new())?)
+    }
+
+    /// Runs the body.
+    #[doc(hidden)]
+    fn draw(self) -> Result<Device>;
+
+    /// The cell with these parameters: drawn when first asked for, then from the cache.
+    ///
+    /// # Errors
+    /// A bound that a parameter breaks, [`Error::Circle`](crate::Error::Circle), and what the body says.
+    fn build(&self) -> Result<Device> {
+        draw::build(self)
+    }
+
+    /// The cell with these parameters, drawn anew: nothing is taken from the cache or put into it.
+    ///
+    /// # Errors
+    /// As for [`Generator::build`].
+    fn build_uncached(&self) -> Result<Device> {
+        draw::build_uncached(self)
+    }
+}

@@ -1,0 +1,65 @@
+//! Every generator that is linked into the program.
+//!
+//! A program only sees the generators of crates that it links; one whose items it never names may be left out by the
+//! linker. A binary that only builds by name says `use that_crate as _;`.
+
+use std::borrow::Cow;
+use std::sync::LazyLock;
+
+use super::Entry;
+use crate::error::{Error, Noun, Result};
+
+/// What `#[device]` hands in.
+#[doc(hidden)]
+pub struct Registered(pub fn() -> &'static Entry);
+
+inventory::collect!(Registered);
+
+static ENTRIES: LazyLock<Vec<&'static Entry>> = LazyLock::new(|| {
+    let mut entries: Vec<_> = inventory::iter::<Registered>.into_iter().map(|registered| (registered.0)()).collect();
+    entries.sort_by_key(|entry| (entry.name, entry.module));
+    entries
+});
+
+/// All generators, by name and then by module.
+pub fn all() -> impl ExactSizeIterator<Item = &'static Entry> {
+    ENTRIES.iter().copied()
+}
+
+/// The generator with this name. `module::name` tells generators of several crates apart.
+///
+/// # Errors
+/// [`Error::Unknown`] with the names that are there; [`Error::Refused`] if the name alone does not say which one.
+pub fn find(name: &str) -> Result<&'static Entry> {
+    let found: Vec<_> = all().filter(|entry| entry.name == name || path(entry.module, entry.name) == name).collect();
+    match found[..] {
+        [entry] => Ok(entry),
+        [] => Err(Error::Unknown {
+            owner: "registry".into(),
+            kind: Noun::Generator,
+            name: name.into(),
+            known: all().map(|entry| entry.name.to_owned()).collect(),
+        }),
+        _ => {
+            let paths: Vec<_> = found.iter().map(|entry| path(entry.module, entry.name)).collect();
+            Err(Error::Refused {
+                device: "registry".into(),
+                what: "name of a generator".into(),
+                value: format!("{name:?}").into(),
+                rule: format!("say which one: {}", paths.join(" or ")).into(),
+            })
+        }
+    }
+}
+
+/// The shortest name under which [`find`] finds a generator.
+pub(crate) fn address(name: &'static str, module: &str) -> Cow<'static, str> {
+    match all().filter(|entry| entry.name == name).count() {
+        0 | 1 => name.into(),
+        _ => path(module, name).into(),
+    }
+}
+
+fn path(module: &str, name: &str) -> String {
+    format!("{module}::{name}")
+}

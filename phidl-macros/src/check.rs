@@ -1,0 +1,149 @@
+//! The rules over a generator, all checked, each mistake under its own token.
+
+use syn::{FnArg, Safety, Signature, Type};
+
+use crate::model::{Generator, Parameter};
+use crate::parse::number;
+use crate::problems::Problems;
+use crate::widen::{last_segment, type_arguments};
+
+/// Units that are known, so that a slip of the pen is found.
+const UNITS: [&str; 20] = [
+    "um", "um2", "1/um", "nm", "deg", "turns", "Hz", "GHz", "ohm", "ohm/sq", "H", "H/sq", "pH/sq", "F", "A", "V", "K",
+    "s", "m/s", "%",
+];
+
+/// Types that hold no number which a unit or a bound could be about.
+const WITHOUT_NUMBERS: [&str; 8] = ["bool", "char", "String", "Layer", "Layers", "Port", "Device", "Recipe"];
+
+/// Checks what a generator's function cannot be.
+pub(crate) fn signature(signature: &Signature, problems: &mut Problems) {
+    let mut refuse = |tokens: &dyn quote::ToTokens, what: &str| {
+        problems.at(tokens, format_args!("a device generator cannot be {what}"));
+    };
+    if let Some(token) = &signature.constness {
+        refuse(token, "const: it is drawn when it is first called");
+    }
+    if let Some(token) = &signature.asyncness {
+        refuse(token, "async: whoever waits for the cached cell would have to be, too");
+    }
+    if let Safety::Unsafe(token) = &signature.safety {
+        refuse(token, "unsafe: the registry calls it with any parameters");
+    }
+    if let Some(abi) = &signature.abi {
+        refuse(abi, "extern");
+    }
+    if let Some(variadic) = &signature.variadic {
+        refuse(variadic, "variadic");
+    }
+    if !signature.generics.params.is_empty() {
+        refuse(&signature.generics, "generic: its parameters are fields of one struct, with one type each");
+    }
+    if let Some(clause) = &signature.generics.where_clause {
+        refuse(clause, "generic: its parameters are fields of one struct, with one type each");
+    }
+    if let Some(FnArg::Receiver(receiver)) = signature.inputs.first() {
+        refuse(receiver, "a method: write a function, and give what it needs as parameters");
+    }
+}
+
+/// Checks what a generator says.
+pub(crate) fn generator(generator: &Generator, problems: &mut Problems) {
+    match &generator.output {
+        None => problems.at(&generator.name, "a device generator returns `Result<Device>`"), // no tokens to mark
+        Some(ty) if !is_result(ty) => problems.at(ty, "a device generator returns `Result<Device>`"),
+        Some(_) => {}
+    }
+    for (i, param) in generator.params.iter().enumerate() {
+        let registered = param.registered.value();
+        if generator.params[..i].iter().any(|other| other.registered.value() == registered) {
+            problems.at(&param.registered, format_args!("two parameters are named `{registered}`"));
+        }
+        parameter(param, problems);
+    }
+}
+
+fn is_result(ty: &Type) -> bool {
+    last_segment(ty).is_some_and(|segment| segment.ident == "Result")
+}
+
+fn parameter(param: &Parameter, problems: &mut Problems) {
+    owned(&param.ty, problems);
+    if let (Some(named), None) = (&param.named, &param.default) {
+        problems.at(named, "a parameter that is not an argument of the function needs a default");
+    }
+    if let Some(unit) = &param.unit
+        && !UNITS.contains(&unit.value().as_str())
+    {
+        problems.at(unit, format_args!("unknown unit; known are {}", UNITS.join(", ")));
+    }
+    if let Some(name) = innermost(&param.ty).filter(|name| WITHOUT_NUMBERS.contains(&name.as_str())) {
+        let message = format!("`{name}` holds no number that this could be about");
+        param.unit.iter().for_each(|unit| problems.at(unit, &message));
+        param.bounds.iter().for_each(|bound| problems.at(&bound.side, &message));
+    }
+    bounds(param, problems);
+}
+
+/// Parameters live in the cache, so they cannot be borrowed.
+fn owned(ty: &Type, problems: &mut Problems) {
+    match ty {
+        Type::Reference(_) => {
+            problems.at(
+                ty,
+                "a parameter is kept with the cell and cannot be borrowed: `String` for `&str`, `Vec<T>` for `&[T]`",
+            );
+        }
+        Type::ImplTrait(_) => {
+            problems.at(ty, "a parameter has one type; `#[device]` itself lets callers give whatever converts to it");
+        }
+        Type::Infer(_) => problems.at(ty, "a parameter needs a type"),
+        Type::Group(group) => owned(&group.elem, problems),
+        Type::Paren(paren) => owned(&paren.elem, problems),
+        other => {
+            let inner = last_segment(other).map(type_arguments).unwrap_or_default();
+            inner.into_iter().for_each(|ty| owned(ty, problems));
+        }
+    }
+}
+
+/// The name of the type inside lists and options.
+fn innermost(ty: &Type) -> Option<String> {
+    let segment = last_segment(ty)?;
+    match type_arguments(segment).last() {
+        Some(inner) => innermost(inner),
+        None => Some(segment.ident.to_string()),
+    }
+}
+
+/// Bounds must leave room, and the default must keep them.
+fn bounds(param: &Parameter, problems: &mut Problems) {
+    for (one, other) in [("min", "above"), ("max", "below")] {
+        if let (Some(_), Some(second)) = (param.bound(one), param.bounds.iter().rfind(|bound| bound.side == other)) {
+            problems.at(&second.side, format_args!("`{one}` and `{other}` exclude each other"));
+        }
+    }
+    let low = param.bound("min").or(param.bound("above"));
+    if let Some(high) = param.bounds.iter().find(|bound| bound.side == "max" || bound.side == "below")
+        && low.is_some_and(|low| low > high.limit)
+    {
+        problems.at(&high.side, "no number keeps both bounds");
+    }
+    if let Some(default) = &param.default
+        && let Some(v) = number(default)
+        && let Some(broken) = param.bounds.iter().find(|bound| !bound.holds(v))
+    {
+        problems.at(default, format_args!("the default breaks the bound `{} = {}`", broken.side, broken.limit));
+    }
+}
+
+impl crate::model::Bound {
+    fn holds(&self, v: f64) -> bool {
+        match self.side.to_string().as_str() {
+            "min" => v >= self.limit,
+            "above" => v > self.limit,
+            "max" => v <= self.limit,
+            _ => v < self.limit,
+        }
+    }
+}

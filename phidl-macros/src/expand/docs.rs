@@ -1,0 +1,116 @@
+//! Documentation that is made of what the attributes say.
+
+use proc_macro2::TokenStream;
+use quote::{ToTokens, quote};
+use syn::ext::IdentExt;
+use syn::{Expr, ExprLit, Lit};
+
+use crate::model::{Generator, Parameter};
+
+/// Lines of documentation as attributes.
+pub(super) fn attributes(docs: &[Expr]) -> TokenStream {
+    docs.iter().map(|line| quote!(#[doc = #line])).collect()
+}
+
+/// Documentation as one text, for the registry. Lines may be macros, such as `include_str!`.
+pub(super) fn text(docs: &[Expr]) -> TokenStream {
+    match literal(docs) {
+        Some(text) => text.trim().to_token_stream(),
+        None => quote!(::core::concat!(#(#docs, "\n"),*)),
+    }
+}
+
+fn literal(docs: &[Expr]) -> Option<String> {
+    let line = |doc: &Expr| match doc {
+        Expr::Lit(ExprLit { lit: Lit::Str(line), .. }) => Some(line.value()),
+        _ => None,
+    };
+    Some(docs.iter().map(line).collect::<Option<Vec<_>>>()?.join("\n"))
+}
+
+/// The list of parameters that is appended to the documentation of the function.
+pub(super) fn parameter_list(generator: &Generator) -> String {
+    let mut list = format!("\n# Parameters\nAs fields with defaults: [`{}`].\n", generator.struct_name);
+    for param in &generator.params {
+        let text = literal(&param.docs).unwrap_or_default();
+        let text = text.split("\n\n").next().unwrap_or_default().trim().replace('\n', " ");
+        let separator = if text.is_empty() { "" } else { ": " };
+        let place = if param.named.is_some() { " (a field only)" } else { "" };
+        list += &format!("- `{}`{place}{separator}{text}{}\n", param.name, in_brackets(&notes(param)));
+    }
+    list
+}
+
+/// What is appended to the documentation of a field.
+pub(super) fn field_notes(param: &Parameter) -> String {
+    let mut notes = notes(param);
+    if param.name.unraw() != param.registered.value() {
+        notes.push(format!("registered as `{}`", param.registered.value()));
+    }
+    let line = notes.join("; ");
+    if param.docs.is_empty() {
+        return format!("The parameter `{}`{}.", param.name, in_brackets(&notes));
+    }
+    if line.is_empty() { line } else { format!("\n*{line}*") }
+}
+
+fn in_brackets(notes: &[String]) -> String {
+    if notes.is_empty() { String::new() } else { format!(" ({})", notes.join("; ")) }
+}
+
+/// Unit, bounds and default in words.
+fn notes(param: &Parameter) -> Vec<String> {
+    let mut notes = Vec::new();
+    if let Some(unit) = &param.unit {
+        notes.push(format!("in {}", unit_sign(&unit.value())));
+    }
+    let sides = [("min", "at least"), ("above", "more than"), ("max", "at most"), ("below", "less than")];
+    let bounds = sides.iter().filter_map(|(side, words)| Some(format!("{words} {}", param.bound(side)?)));
+    notes.extend(bounds.reduce(|a, b| format!("{a}, {b}")));
+    notes.extend(param.default.as_ref().map(|default| format!("default `{}`", source(default))));
+    notes
+}
+
+fn unit_sign(unit: &str) -> &str {
+    match unit {
+        "um" => "µm",
+        "um2" => "µm²",
+        "1/um" => "1/µm",
+        "deg" => "degrees",
+        "ohm" => "Ω",
+        "ohm/sq" => "Ω/sq",
+        other => other,
+    }
+}
+
+/// An expression about as it was written.
+fn source(default: &Expr) -> String {
+    let text = default.to_token_stream().to_string();
+    let mut source = String::new();
+    for (i, c) in text.char_indices() {
+        let rest = &text[i + c.len_utf8()..];
+        let closed = c == ' '
+            && (source.ends_with(['(', '[', '.', ':', '!', '-'])
+                || rest.starts_with([')', ']', '(', ',', '.', ':', '!']) && !source.ends_with(','));
+        if !closed {
+            source.push(c);
+        }
+    }
+    source
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use syn::parse_quote;
+
+    #[test]
+    fn defaults_are_shown_as_they_were_written() {
+        let shown = |default: Expr| source(&default);
+        assert_eq!(shown(parse_quote!((4, 2))), "(4, 2)");
+        assert_eq!(shown(parse_quote!([1, 2, 4])), "[1, 2, 4]");
+        assert_eq!(shown(parse_quote!(-0.5)), "-0.5");
+        assert_eq!(shown(parse_quote!(Shape::Round)), "Shape::Round");
+        assert_eq!(shown(parse_quote!(Some(Size::new(1.0, (2.0))))), "Some(Size::new(1.0, (2.0)))");
+    }
+}

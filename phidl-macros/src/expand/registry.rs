@@ -1,0 +1,152 @@
+//! The `Generator` implementation with the body in it, and the entry in the registry.
+
+use proc_macro2::TokenStream;
+use quote::{quote, quote_spanned};
+use syn::spanned::Spanned;
+
+use super::docs;
+use super::params::default_name;
+use crate::model::{Generator, Parameter};
+
+pub(super) fn expand(generator: &Generator) -> TokenStream {
+    let (cfgs, struct_name) = (&generator.attributes.cfgs, &generator.struct_name);
+    let (entry, record, read) = (entry(generator), record(generator), read(generator));
+    let (defaults, options, draw) = (defaults(generator), options(generator), draw(generator));
+    quote! {
+        #(#cfgs)*
+        impl ::phidl_core::__private::Generator for #struct_name {
+            #entry
+            #record
+            #read
+            #defaults
+            #options
+            #draw
+        }
+        #(#cfgs)*
+        ::phidl_core::__private::inventory::submit! {
+            ::phidl_core::__private::Registered(<#struct_name as ::phidl_core::__private::Generator>::entry)
+        }
+    }
+}
+
+fn entry(generator: &Generator) -> TokenStream {
+    let Generator { registered, struct_name, attributes, params, .. } = generator;
+    let docs = docs::text(&attributes.docs);
+    let rows = params.iter().map(row);
+    quote! {
+        fn entry() -> &'static ::phidl_core::__private::Entry {
+            static __ENTRY: ::phidl_core::__private::Entry = ::phidl_core::__private::Entry::new::<#struct_name>(
+                #registered,
+                ::core::module_path!(),
+                ::core::env!("CARGO_PKG_VERSION"),
+                #docs,
+                &[#(#rows),*],
+            );
+            &__ENTRY
+        }
+    }
+}
+
+fn row(param: &Parameter) -> TokenStream {
+    let Parameter { registered, ty, .. } = param;
+    let docs = docs::text(&param.docs);
+    let unit = param.unit.as_ref().map_or_else(|| quote!(""), |unit| quote!(#unit));
+    let sides = param.bounds.iter().map(|bound| {
+        let (side, limit) = (&bound.side, bound.limit);
+        quote!(#side: ::core::option::Option::Some(#limit))
+    });
+    // At the type, where it says that it cannot be a parameter, if so.
+    let new = quote_spanned!(ty.span()=> ::phidl_core::__private::Row::new::<#ty>);
+    quote! {
+        #new(#registered, #docs, #unit, ::phidl_core::__private::Bounds { #(#sides,)* ..::phidl_core::__private::Bounds::NONE })
+    }
+}
+
+fn record(generator: &Generator) -> TokenStream {
+    let entries = generator.params.iter().map(|param| {
+        let Parameter { name, registered, ty, .. } = param;
+        let value = quote_spanned!(ty.span()=> ::phidl_core::__private::Param::to_value(&self.#name));
+        quote!((#registered, #value))
+    });
+    quote! {
+        fn record(&self) -> ::phidl_core::__private::Record {
+            ::std::vec![#(#entries),*]
+        }
+    }
+}
+
+fn read(generator: &Generator) -> TokenStream {
+    let fields = generator.params.iter().enumerate().map(|(i, param)| {
+        let (name, default, ty) = (&param.name, default_name(param), &param.ty);
+        match &param.default {
+            Some(_) => quote_spanned!(ty.span()=> #name: __from.or(#i, Self::#default)?),
+            None => quote_spanned!(ty.span()=> #name: __from.required(#i)?),
+        }
+    });
+    quote! {
+        fn read(__from: &::phidl_core::__private::Reader<'_>) -> ::phidl_core::__private::Result<Self> {
+            ::core::result::Result::Ok(Self { #(#fields),* })
+        }
+    }
+}
+
+fn defaults(generator: &Generator) -> TokenStream {
+    let defaults = generator.params.iter().map(|param| {
+        let (default, ty) = (default_name(param), &param.ty);
+        match &param.default {
+            Some(_) => {
+                let value = quote_spanned!(ty.span()=> ::phidl_core::__private::Param::to_value(&Self::#default()));
+                quote!(::core::option::Option::Some(#value))
+            }
+            None => quote!(::core::option::Option::None),
+        }
+    });
+    quote! {
+        fn defaults() -> ::std::vec::Vec<::core::option::Option<::phidl_core::__private::Value>> {
+            ::std::vec![#(#defaults),*]
+        }
+    }
+}
+
+fn options(generator: &Generator) -> TokenStream {
+    let example = generator.options.example.as_ref().map(|example| {
+        quote! {
+            fn example() -> ::phidl_core::__private::Result<Self> {
+                ::core::result::Result::Ok(#example)
+            }
+        }
+    });
+    let uncached = generator.options.no_cache.then(|| {
+        quote! {
+            fn build(&self) -> ::phidl_core::__private::Result<::phidl_core::__private::Device> {
+                ::phidl_core::__private::Generator::build_uncached(self)
+            }
+        }
+    });
+    quote!(#example #uncached)
+}
+
+/// The body, as a function of its own: `return` and `?` mean what they mean in the source, and it sees no name that
+/// the user did not write.
+fn draw(generator: &Generator) -> TokenStream {
+    let Generator { attributes, params, output, body, .. } = generator;
+    let lints = &attributes.lints;
+    let arguments = params.iter().map(|param| {
+        let Parameter { lints, mutability, name, ty, .. } = param;
+        quote!(#(#lints)* #mutability #name: #ty)
+    });
+    let values = params.iter().map(|param| {
+        let name = &param.name;
+        quote!(self.#name)
+    });
+    let call = quote_spanned!(output.span()=> __draw(#(#values),*));
+    quote! {
+        fn draw(self) -> ::phidl_core::__private::Result<::phidl_core::__private::Device> {
+            #(#lints)*
+            #[allow(clippy::too_many_arguments, reason = "they have names in the struct")]
+            #[allow(clippy::needless_pass_by_value, reason = "the body owns its parameters")]
+            fn __draw(#(#arguments),*) -> #output #body
+            #call
+        }
+    }
+}

@@ -1,0 +1,106 @@
+//! Names that the macro could collide with, and bodies that leave early.
+
+use phidl_core::prelude::*;
+use phidl_macros::device;
+
+type Flag = bool;
+
+#[device]
+fn awkward(
+    #[default(1)] self_: f64,
+    #[default(2)] build: f64,
+    #[default(3)] default: f64,
+    #[default(4)] params: f64,
+    #[default(5)] new: f64,
+    #[default(6)] clone: f64,
+    #[default(7)] record: f64,
+    #[default(8)] from: f64,
+    #[default(9)] value: f64,
+    #[default(10)] entry: f64,
+    #[default(11)] r#type: f64,
+    #[default(12)] mut result: f64,
+    #[default(false)] draw: Flag,
+) -> Result<Device> {
+    result += self_ + build + default + params + new + clone + record + from + value + entry + r#type;
+    let d = Device::builder(format!("awkward_{result}"));
+    if draw {
+        return d.build();
+    }
+    let device = d.build()?;
+    let build = device; // shadows a parameter
+    Ok(build)
+}
+
+#[test]
+fn parameters_may_have_any_name() {
+    let plain = AwkwardParams::default();
+    assert_eq!(plain.build().unwrap().name(), "awkward_78");
+    assert_eq!(plain.clone().r#type(12).build().unwrap().name(), "awkward_79");
+    let names: Vec<_> = plain.record().into_iter().map(|(name, _)| name).collect();
+    assert!(names.contains(&"type"), "{names:?}");
+    assert_eq!(AwkwardParams { build: 3.0, ..plain }.build().unwrap().name(), "awkward_79");
+}
+
+#[test]
+fn generators_may_stand_in_functions_and_see_what_is_around_them() {
+    const WIDTH: f64 = 3.0;
+    fn helper() -> f64 {
+        WIDTH
+    }
+    #[device]
+    fn inner(#[default(helper())] width: f64) -> Result<Device> {
+        Device::builder(format!("inner_{width}_{}", ONE)).build()
+    }
+    assert_eq!(InnerParams::default().build().unwrap().name(), "inner_3_1");
+}
+
+const ONE: i32 = 1;
+
+/// Names of the prelude mean nothing to generated code.
+mod shadowed {
+    use phidl_core::scene::Device;
+    use phidl_macros::device;
+
+    #[allow(dead_code, reason = "only there to be in the way")]
+    mod std {}
+    #[allow(dead_code, reason = "only there to be in the way")]
+    mod core {}
+    #[allow(dead_code, reason = "only there to be in the way")]
+    struct Option;
+    #[allow(dead_code, reason = "only there to be in the way")]
+    struct Vec;
+    #[allow(dead_code, reason = "only there to be in the way")]
+    trait Into {}
+    #[allow(dead_code, reason = "only there to be in the way")]
+    trait Default {}
+
+    #[device]
+    pub(super) fn lonely(#[default(1)] size: f64, #[default("a")] text: String) -> phidl_core::Result<Device> {
+        Device::builder(format!("{text}{size}")).build()
+    }
+}
+
+#[test]
+fn generated_code_uses_no_name_of_the_users() {
+    assert_eq!(shadowed::lonely(2, "b").unwrap().name(), "b2");
+}
+
+macro_rules! generators {
+    ($($name:ident: $ty:ty = $default:expr;)*) => {$(
+        #[device]
+        fn $name(#[default($default)] v: $ty) -> Result<Device> {
+            Device::builder(format!("{}_{v}", stringify!($name))).build()
+        }
+    )*};
+}
+
+generators! {
+    by_macro_one: f64 = 1;
+    by_macro_two: usize = 2;
+}
+
+#[test]
+fn generators_may_come_out_of_a_macro() {
+    assert_eq!(by_macro_one(3).unwrap().name(), "by_macro_one_3");
+    assert_eq!(by_macro_two(3).unwrap().name(), "by_macro_two_3");
+}
