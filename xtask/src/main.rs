@@ -1,2 +1,29 @@
-//! To be written.
-fn main() {}
+//! `cargo xtask`: masks of this repository, and the devices that are linked into it.
+//!
+//! This file only dispatches; the work is in the libraries, where it can be tested.
+#![expect(clippy::print_stdout, reason = "commands talk to whoever typed them")]
+
+mod demo;
+mod device;
+mod devices;
+mod flags;
+mod mask;
+mod progress;
+
+use clap::Parser;
+use flags::{Command, Flags};
+use phidl_geometry as _;
+
+fn main() -> anyhow::Result<()> {
+    match Flags::parse().command {
+        Command::Mask(flags) => mask::run(&flags),
+        Command::Devices(flags) => devices::run(&flags),
+        Command::Device(flags) => device::run(&flags),
+    }
+}
+
+/// An error of the libraries with the whole way from the outermost cell to the rule.
+#[expect(clippy::needless_pass_by_value, reason = "it stands in map_err")]
+fn in_full(error: phidl_core::Error) -> anyhow::Error {
+    anyhow::anyhow!(error.in_full())
+}

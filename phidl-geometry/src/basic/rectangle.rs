@@ -2,7 +2,7 @@
 //!
 //! All three keep the order of corners of the specification, in which `bbox` runs the other way round.
 
-use phidl_core::param::{Kind, Param};
+use phidl_core::param::{Kind, Mismatch, Param};
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
@@ -149,5 +149,22 @@ impl<P: Into<Point>> From<[P; 2]> for Corners {
 impl<A: Into<Point>, C: Into<Point>> From<(A, C)> for Corners {
     fn from((a, c): (A, C)) -> Self {
         Self(a.into(), c.into())
+    }
+}
+
+impl Param for Corners {
+    fn kind() -> Kind {
+        Kind::Other("two points")
+    }
+
+    fn to_value(&self) -> Value {
+        [self.0, self.1].into()
+    }
+
+    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+        match Vec::<Point>::from_value(value)?[..] {
+            [a, c] => Ok(Self(a, c)),
+            _ => Err(Mismatch::new(value, "be two points")),
+        }
     }
 }

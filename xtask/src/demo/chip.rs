@@ -23,9 +23,9 @@ pub(crate) fn demo_chip(
 
     let radii: Vec<f64> = linspace(10.0, 43.0, 12).collect();
     let gaps: Vec<f64> = (0..20).map(|i| f64::from(10 + i) / 100.0).collect();
-    let rings = d.add_as("rings", ring_sweep(radii, gaps, (480, 220))?);
+    let rings = d.add_as("rings", ring_sweep(radii, gaps, (700, 310))?);
     let wires = d.add_as("nanowires", nanowire_row([0.06, 0.08, 0.1, 0.12, 0.15, 0.2, 0.3, 0.5])?);
-    let dose = d.add_as("dose", dose_test([0.1, 0.2, 0.5, 1.0, 2.0], 40)?);
+    let dose = d.add_as("dose", dose_test([1, 2, 4, 8], 40)?);
     let pads = d.add_as("pads", pg::compass((100, 100), PAD)?.array(40, 2, (150, 150)));
 
     // Relations instead of arithmetic: everything stands on what lies below it.

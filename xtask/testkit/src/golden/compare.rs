@@ -69,7 +69,7 @@ pub fn assert_all(cases: &[Case], draw: impl Fn(&Case) -> Result<Device>) {
         let outcome = check(case, draw(case));
         #[expect(clippy::print_stdout, reason = "one line a case, shown by the test runner on failure or demand")]
         {
-            println!("{:<28} {}", case.id, outcome.as_deref().map_or_else(String::as_str, |()| "ok"));
+            println!("{:<28} {}", case.id, outcome.as_ref().map_or_else(String::as_str, |()| "ok"));
         }
         failures.extend(outcome.err().map(|why| format!("{}: {why}", case.id)));
     }
@@ -146,9 +146,10 @@ fn layers(drawn: &BTreeMap<String, Vec<Vec<Point>>>, expected: &Described, exten
 }
 
 fn layer(outlines: &[Vec<Point>], expected: &DescribedLayer, extent: Extent) -> Result<(), String> {
-    let points: Option<Vec<Vec<Point>>> = expected.points.as_ref().map(|outlines| {
-        outlines.iter().map(|outline| outline.iter().map(|p| Point::from(*p)).collect()).collect()
-    });
+    let points: Option<Vec<Vec<Point>>> = expected
+        .points
+        .as_ref()
+        .map(|outlines| outlines.iter().map(|outline| outline.iter().map(|p| Point::from(*p)).collect()).collect());
     match (extent, points) {
         (Extent::Region, Some(points)) => region(outlines, &points),
         (Extent::Contains, Some(points)) => contains(outlines, &points).map(drop),

@@ -1,0 +1,240 @@
+//! The one error of reading and writing.
+//!
+//! Every variant says which file or cell, which element of it, and which rule. Errors are `Clone`, as those of phidl-core
+//! are, so a mask build can hand one failure to everything that waited for it; the system's own error is kept behind an
+//! `Arc` for that.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use phidl_core::layer::Layer;
+use phidl_core::num::grid::GridError;
+
+/// The result of reading and writing.
+pub type Result<T, E = IoError> = std::result::Result<T, E>;
+
+/// Why a file could not be written or read.
+#[derive(Debug, Clone, thiserror::Error)]
+#[non_exhaustive]
+pub enum IoError {
+    /// The system refused: no such file, no permission, no space left.
+    #[error("{path}: could not {action}")]
+    File {
+        /// The file.
+        path: Box<str>,
+        /// What was tried, as the end of "could not …".
+        action: &'static str,
+        /// What the system said.
+        source: Arc<std::io::Error>,
+    },
+    /// An option of the writer breaks its rule.
+    #[error("option {option} is {value}, but it must {rule}")]
+    Option {
+        /// The option.
+        option: &'static str,
+        /// What was given.
+        value: Box<str>,
+        /// What it must do, as the end of "it must …".
+        rule: Box<str>,
+    },
+    /// Something in a cell cannot be said in the file format.
+    #[error("cell \"{cell}\", {item}: {what} is {value}, but it must {rule}")]
+    Refused {
+        /// The cell.
+        cell: Box<str>,
+        /// The element of the cell.
+        item: Box<Item>,
+        /// What the value is.
+        what: &'static str,
+        /// The value.
+        value: Box<str>,
+        /// What it must do, as the end of "it must …".
+        rule: Box<str>,
+    },
+    /// A coordinate is further out than the file's integers reach.
+    #[error("cell \"{cell}\", {item}: {source}")]
+    OutOfRange {
+        /// The cell.
+        cell: Box<str>,
+        /// The element of the cell.
+        item: Box<Item>,
+        /// The coordinate and the reach.
+        source: GridError,
+    },
+    /// The file breaks the rules of its format.
+    #[error("{file}: malformed at byte {offset}{}: {problem}", in_cell(.cell.as_deref()))]
+    Malformed {
+        /// The file.
+        file: Box<str>,
+        /// Where, in bytes from the start.
+        offset: usize,
+        /// The cell that was being read.
+        cell: Option<Box<str>>,
+        /// What is wrong.
+        problem: Box<str>,
+    },
+    /// Every cell of the file is placed by another one, or there is none; a cell must be named.
+    #[error("{file}: there is no top cell; {}", known(.cells))]
+    NoTopCell {
+        /// The file.
+        file: Box<str>,
+        /// The cells of the file.
+        cells: Vec<String>,
+    },
+    /// Several cells are placed by no other; one must be named.
+    #[error("{file}: there are several top cells, one must be chosen by name: {}", .cells.join(", "))]
+    SeveralTopCells {
+        /// The file.
+        file: Box<str>,
+        /// The top cells, in the order of the file.
+        cells: Vec<String>,
+    },
+    /// The cell that was asked for is not in the file.
+    #[error("{file}: there is no cell \"{name}\"; {}", known(.cells))]
+    UnknownCell {
+        /// The file.
+        file: Box<str>,
+        /// The name that was asked for.
+        name: Box<str>,
+        /// The cells of the file.
+        cells: Vec<String>,
+    },
+    /// Two cells of a file have one name.
+    #[error("{file}: a second cell \"{name}\" begins at byte {offset}")]
+    DuplicateCell {
+        /// The file.
+        file: Box<str>,
+        /// The name.
+        name: Box<str>,
+        /// Where the second one begins.
+        offset: usize,
+    },
+    /// A cell places a cell that is not in the file.
+    #[error("{file}: cell \"{cell}\" places \"{missing}\" at byte {offset}, which is not in the file")]
+    MissingCell {
+        /// The file.
+        file: Box<str>,
+        /// The cell with the reference.
+        cell: Box<str>,
+        /// The name that is not there.
+        missing: Box<str>,
+        /// Where the reference stands.
+        offset: usize,
+    },
+    /// Cells place each other in a circle.
+    #[error("{file}: cells place each other in a circle: {}", .chain.join(" → "))]
+    Circle {
+        /// The file.
+        file: Box<str>,
+        /// The cells, the first one repeated at the end.
+        chain: Vec<String>,
+    },
+    /// Cells are nested deeper than any layout is.
+    #[error("{file}: cell \"{cell}\" is nested deeper than {most} levels")]
+    TooDeep {
+        /// The file.
+        file: Box<str>,
+        /// The cell.
+        cell: Box<str>,
+        /// The limit.
+        most: usize,
+    },
+    /// The scene graph refused what was to be built or described.
+    #[error("{place}")]
+    Device {
+        /// The file, or the cell.
+        place: Box<str>,
+        /// What it said.
+        source: Box<phidl_core::Error>,
+    },
+}
+
+/// An element of a cell, as errors name it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Item {
+    /// A polygon.
+    Polygon {
+        /// Its place among the polygons of the cell, from 0.
+        index: usize,
+        /// Where it is drawn.
+        layer: Layer,
+    },
+    /// A reference or an array.
+    Reference {
+        /// Its place among the references of the cell, from 0.
+        index: usize,
+        /// The cell that it places.
+        child: String,
+    },
+    /// A label.
+    Label {
+        /// Its place among the labels of the cell, from 0.
+        index: usize,
+        /// What it says.
+        text: String,
+    },
+}
+
+impl std::fmt::Display for Item {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Polygon { index, layer } => write!(f, "polygon {index} on {layer}"),
+            Self::Reference { index, child } => write!(f, "reference {index} to \"{child}\""),
+            Self::Label { index, text } => write!(f, "label {index} \"{text}\""),
+        }
+    }
+}
+
+impl IoError {
+    /// The whole chain in one line: the file or cell first, the cause last.
+    #[must_use]
+    pub fn in_full(&self) -> String {
+        match self {
+            Self::File { source, .. } => format!("{self}: {source}"),
+            Self::Device { source, .. } => format!("{self}: {}", source.in_full()),
+            other => other.to_string(),
+        }
+    }
+
+    pub(crate) fn file(path: &Path, action: &'static str, source: std::io::Error) -> Self {
+        Self::File { path: path.display().to_string().into(), action, source: Arc::new(source) }
+    }
+
+    pub(crate) fn option(option: &'static str, value: impl std::fmt::Display, rule: impl Into<Box<str>>) -> Self {
+        Self::Option { option, value: value.to_string().into(), rule: rule.into() }
+    }
+}
+
+fn in_cell(cell: Option<&str>) -> String {
+    cell.map_or_else(String::new, |cell| format!(" in cell \"{cell}\""))
+}
+
+fn known(cells: &[String]) -> String {
+    if cells.is_empty() { "the file has no cells".to_owned() } else { format!("its cells are {}", cells.join(", ")) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn errors_can_be_shared_and_say_where_and_why() {
+        fn assert_shared<T: Clone + Send + Sync + std::error::Error>() {}
+        assert_shared::<IoError>();
+        let error = IoError::file(Path::new("a.gds"), "open it", std::io::Error::other("no luck"));
+        assert_eq!(error.clone().in_full(), "a.gds: could not open it: no luck");
+        let item = Item::Label { index: 2, text: "pad".into() };
+        let error = IoError::Refused {
+            cell: "chip".into(),
+            item: Box::new(item),
+            what: "text",
+            value: "600 bytes long".into(),
+            rule: "have at most 512".into(),
+        };
+        assert_eq!(
+            error.to_string(),
+            "cell \"chip\", label 2 \"pad\": text is 600 bytes long, but it must have at most 512"
+        );
+    }
+}

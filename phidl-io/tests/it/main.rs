@@ -1,0 +1,7 @@
+//! Integration tests: files written, read, damaged and compared.
+
+mod damage;
+mod files;
+mod foreign;
+mod hierarchy;
+mod round_trip;
