@@ -15,6 +15,7 @@
 //! | basic | [`rectangle`], [`bbox`], [`straight`]; [`cross`]; [`circle`], [`ellipse`]; [`ring`], [`arc`] |
 //! | connecting | [`compass`], [`flagpole`] |
 //! | tapers | [`taper`](fn@taper) |
+//! | lettering | [`text`](fn@text) |
 //!
 //! Names, parameters, defaults, ports and drawn points are PHIDL's, so that a script and its mask carry over. Lengths
 //! are micrometers, angles degrees counter-clockwise; nothing is rounded. A program that names no shape but builds some
@@ -23,7 +24,9 @@
 pub mod basic;
 pub mod connect;
 pub mod taper;
+pub mod text;
 
 pub use basic::*;
 pub use connect::{CompassParams, FlagpoleParams, compass, flagpole};
 pub use taper::*;
+pub use text::{TextParams, text};

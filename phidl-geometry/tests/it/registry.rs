@@ -7,8 +7,20 @@ use phidl_geometry as _;
 fn every_shape_of_the_library_is_registered_and_draws_its_example() {
     let names: Vec<&str> =
         registry::all().filter(|entry| entry.module.starts_with("phidl_geometry")).map(|entry| entry.name).collect();
-    let expected =
-        ["arc", "bbox", "circle", "compass", "cross", "ellipse", "flagpole", "rectangle", "ring", "straight", "taper"];
+    let expected = [
+        "arc",
+        "bbox",
+        "circle",
+        "compass",
+        "cross",
+        "ellipse",
+        "flagpole",
+        "rectangle",
+        "ring",
+        "straight",
+        "taper",
+        "text",
+    ];
     assert_eq!(names, expected);
     for entry in registry::all() {
         let example = entry.example().unwrap_or_else(|error| panic!("{}: {}", entry.name, error.in_full()));
