@@ -41,6 +41,10 @@
 //!
 //! This crate knows no file format, no boolean engine and no clock, and it never prints.
 
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
+
 #[doc(hidden)]
 #[path = "private.rs"]
 pub mod __private;

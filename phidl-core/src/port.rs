@@ -141,6 +141,9 @@ impl Port {
         if !self.width.is_finite() {
             return not_finite("width", self.width.to_string());
         }
+        if let Some((key, value)) = self.info.iter().find(|(_, value)| !value.is_finite()) {
+            return not_finite(&format!("info \"{key}\""), value.to_string());
+        }
         if self.width < 0.0 {
             return Err(Error::Refused {
                 device: device.into(),
@@ -243,5 +246,7 @@ mod tests {
         assert_eq!(error.to_string(), "ring: width of port \"e\" is -1 µm, but it must be at least 0 µm");
         assert!(Port::new((0.0, f64::NAN), 1, 0).check("ring").is_err());
         assert!(Port::new((0, 0), 1, f64::INFINITY).check("ring").is_err());
+        let noted = Port::new((0, 0), 1, 0).named("e").with_info("loss", f64::NAN).check("ring").unwrap_err();
+        assert_eq!(noted.to_string(), "ring: info \"loss\" of port \"e\" is NaN, but it must be finite");
     }
 }

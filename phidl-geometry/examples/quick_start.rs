@@ -1,9 +1,13 @@
 //! PHIDL's first tutorial, line for line: polygons, library shapes, ports, references, a file.
+//!
+//! `cargo run -p phidl-geometry --example quick_start`
+#![expect(clippy::print_stdout, reason = "an example shows what it draws")]
 
 use phidl_core::prelude::*;
 use phidl_geometry as pg;
+use phidl_io::gds::{self, GdsOptions};
 
-fn main() -> Result<()> {
+pub(crate) fn main() -> std::result::Result<(), Box<dyn std::error::Error>> {
     // An open cell, a polygon from x and y coordinates, and one from points.
     let mut d = Device::builder("quick_start");
     let poly1 = d.add_polygon(([8, 6, 7, 9], [6, 8, 9, 5]), 0)?;
@@ -41,5 +45,8 @@ fn main() -> Result<()> {
     top.add_label("quick start", (0, 0), 10);
     let top = top.build()?;
     println!("{top}\n{} µm wide, {} polygons", top.xsize(), top.flat_polygons().count());
+    let file = std::env::temp_dir().join("quick_start.gds");
+    gds::write(&top, &file, &GdsOptions::default())?;
+    println!("{}", file.display());
     Ok(())
 }

@@ -12,21 +12,42 @@
 //!
 //! | family | shapes |
 //! |---|---|
-//! | basic | [`rectangle`], [`bbox`], [`straight`]; [`cross`]; [`circle`], [`ellipse`]; [`ring`], [`arc`] |
-//! | connecting | [`compass`], [`flagpole`] |
+//! | basic | [`rectangle`], [`bbox`], [`straight`]; [`cross`]; [`circle`], [`ellipse`]; [`ring`], [`arc`]; [`l`], [`c`] |
+//! | connecting | [`compass`], [`compass_multi`], [`connector`], [`flagpole`], [`tee`], [`polygon_ports`] |
 //! | tapers | [`taper`](fn@taper) |
+//! | lithography | [`litho_steps`], [`litho_star`], [`litho_calipers`], [`litho_ruler`] |
+//! | electrical tests | [`test_via`], [`test_comb`], [`test_res`] |
+//! | dies | [`basic_die`] |
 //! | lettering | [`text`](fn@text) |
 //!
 //! Names, parameters, defaults, ports and drawn points are PHIDL's, so that a script and its mask carry over. Lengths
 //! are micrometers, angles degrees counter-clockwise; nothing is rounded. A program that names no shape but builds some
 //! by name links them with `use phidl_geometry as _;`.
 
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
+
+/// The example of the whole project uses macros, core and shapes; this is the first crate that has all three.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+struct ProjectReadme;
+
 pub mod basic;
 pub mod connect;
+pub mod die;
+pub mod litho;
 pub mod taper;
+pub mod test_structure;
 pub mod text;
 
 pub use basic::*;
-pub use connect::{CompassParams, FlagpoleParams, compass, flagpole};
+pub use connect::{
+    CompassMultiParams, CompassParams, ConnectorParams, FlagpoleParams, PolygonPortsParams, TeeParams, compass,
+    compass_multi, connector, flagpole, polygon_ports, tee,
+};
+pub use die::{BasicDieParams, basic_die};
+pub use litho::*;
 pub use taper::*;
+pub use test_structure::*;
 pub use text::{TextParams, text};

@@ -1,6 +1,29 @@
-//! Files in and out of phidl.
+//! Files in and out of phidl: masks, pictures, and what lies beside them.
+//!
+//! | Module | What it does |
+//! |---|---|
+//! | [`gds`] | GDSII files, written and read: cells, arrays, labels, properties, units, a fixed date |
+//! | [`svg`] | pictures with the hierarchy kept, so that a large chip is a small file |
+//! | [`json`] | a device described for comparing; generators, parameters and ports beside a mask file |
+//! | [`Summary`] | a mask in a few numbers: cells, polygons, areas, labels, box, SHA-256 |
+//! | [`atomic`] | the one way in which files are written: whole, or not at all |
+//!
+//! Writers never change a device, and two runs write the same bytes: no clock, no order of hash tables. Everything that
+//! can fail returns an [`IoError`], which names the file or cell, the element and the rule. Lengths are micrometers.
+
 pub mod atomic;
+mod distinct;
 mod error;
 pub mod gds;
+pub mod json;
+pub mod mask;
+mod summary;
+pub mod svg;
 
 pub use error::{IoError, Item, Result};
+pub use summary::{LayerSummary, Summary};
+
+/// The README's example, kept true by the documentation tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

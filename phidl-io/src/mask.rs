@@ -4,17 +4,16 @@
 //! |---|---|
 //! | `NAME.gds` | the mask, hierarchy kept |
 //! | `NAME.svg` | a picture of it |
-//! | `metadata.json` | every cell: generator, parameters, info, ports, instances |
+//! | `metadata.json` | every cell: generator, parameters, info, ports, instances; and the summary |
 //!
 //! The same device and options give the same bytes, whenever and on however many threads.
 
 use std::path::{Path, PathBuf};
 
-use phidl_core::layer::LayerSet;
 use phidl_core::scene::Device;
 
 use crate::atomic;
-use crate::error::Result;
+use crate::error::{IoError, Result};
 use crate::gds::{self, GdsOptions, GdsReport};
 use crate::json;
 use crate::summary::Summary;
@@ -23,10 +22,10 @@ use crate::svg::{self, SvgOptions};
 /// What a mask is called and how it is written.
 #[derive(Debug, Clone, Default)]
 pub struct MaskOptions {
-    /// Names and colors of the layers, for the picture.
-    pub layers: LayerSet,
     /// How the GDSII file is written.
     pub gds: GdsOptions,
+    /// How the picture is drawn.
+    pub svg: SvgOptions,
 }
 
 /// One thing that building a mask does, in order.
@@ -59,8 +58,6 @@ pub struct MaskReport {
     pub gds: GdsReport,
     /// What the mask holds.
     pub summary: Summary,
-    /// SHA-256 of the GDSII file, as 64 hexadecimal digits.
-    pub sha256: String,
 }
 
 /// Writes a device into a folder, which is made if it is not there. Each file is whole or not there at all.
@@ -76,18 +73,19 @@ pub fn build(
     options: &MaskOptions,
     mut started: impl FnMut(Step),
 ) -> Result<MaskReport> {
-    atomic::create_folder(folder)?;
+    std::fs::create_dir_all(folder).map_err(|error| IoError::file(folder, "make the folder", error))?;
     let [gds_file, svg_file] = ["gds", "svg"].map(|ending| folder.join(format!("{name}.{ending}")));
     let metadata_file = folder.join("metadata.json");
 
     started(Step::Gds);
     let gds = gds::write(device, &gds_file, &options.gds)?;
-    let sha256 = atomic::sha256(&gds_file)?;
+    let summary = Summary::of_file(device, &options.gds, &gds_file)?;
     started(Step::Svg);
-    svg::write(device, &svg_file, &SvgOptions { layers: options.layers.clone(), ..SvgOptions::default() })?;
+    svg::write(device, &svg_file, &options.svg)?;
     started(Step::Metadata);
-    let metadata = json::metadata(device, &options.gds)?;
+    let mut metadata = json::metadata(device, &options.gds)?;
+    metadata["summary"] = summary.to_json();
     atomic::write(&metadata_file, json::to_text(&metadata).as_bytes())?;
 
-    Ok(MaskReport { files: vec![gds_file, svg_file, metadata_file], gds, summary: Summary::of(device), sha256 })
+    Ok(MaskReport { files: vec![gds_file, svg_file, metadata_file], gds, summary })
 }

@@ -1,102 +1,176 @@
-//! [`Summary`]: what a mask holds, in figures that other programs can check.
+//! [`Summary`]: a mask in a few numbers, to be laid beside what another program counts.
 
 use std::collections::{BTreeMap, HashMap};
+use std::fs;
+use std::path::Path;
 
 use phidl_core::geom::Rect;
 use phidl_core::layer::Layer;
 use phidl_core::place::Bounded;
 use phidl_core::scene::Device;
+use serde_json::{Map, json};
+use sha2::{Digest, Sha256};
 
-/// What a device holds with all that it places.
+use crate::error::{IoError, Result};
+use crate::gds::{CellTable, GdsOptions};
+use crate::json::corners;
+
+/// What is drawn on one layer, over all levels of a mask.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LayerSummary {
+    /// The layer; for labels, its datatype is the texttype.
+    pub layer: Layer,
+    /// Polygons of the devices. (Very large ones are several outlines in the file.)
+    pub polygons: u64,
+    /// Their corners.
+    pub vertices: u64,
+    /// The sum of their areas (µm²); where they overlap, it counts twice.
+    pub area: f64,
+    /// Labels.
+    pub labels: u64,
+}
+
+/// A mask in numbers. Its `Display` is a table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Summary {
+    /// The name of the top cell in the file.
+    pub top: String,
+    /// Different cells in the file.
+    pub cells: usize,
+    /// How often cells are placed in all, every element of every array counted, the top cell not.
+    pub instances: u64,
+    /// What is drawn, by layer, ascending.
+    pub layers: Vec<LayerSummary>,
     /// The box around everything drawn.
     pub bbox: Option<Rect>,
-    /// How often cells are placed, at any depth, the top cell aside; every element of an array counts.
-    pub instances: u64,
-    /// How many labels there are, at any depth.
-    pub labels: u64,
-    /// What is drawn on each layer.
-    pub layers: BTreeMap<Layer, LayerSummary>,
-}
-
-/// What is drawn on one layer, every placement counted.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct LayerSummary {
-    /// Polygons.
-    pub polygons: u64,
-    /// Their corners, as drawn.
-    pub vertices: u64,
-    /// Sum of their areas (µm²); where they overlap, both count.
-    pub area: f64,
-}
-
-/// What one cell and everything below it amounts to.
-#[derive(Default)]
-struct Tally {
-    instances: u64,
-    labels: u64,
-    layers: BTreeMap<Layer, LayerSummary>,
+    /// Length of the file (bytes).
+    pub bytes: u64,
+    /// SHA-256 of the file, in hexadecimal digits.
+    pub sha256: String,
 }
 
 impl Summary {
-    /// Counts a device, each distinct cell once: the cost does not grow with the number of placements.
-    #[must_use]
-    pub fn of(device: &Device) -> Self {
-        let mut tallies: HashMap<usize, Tally> = HashMap::new();
-        for cell in device.cells().iter().rev() {
-            let tally = Tally::of(cell, &tallies);
-            tallies.insert(cell.address(), tally);
-        }
-        let Tally { instances, labels, layers } = tallies.remove(&device.address()).unwrap_or_default();
-        Self { bbox: device.bbox(), instances, labels, layers }
+    /// Sums up a device and the bytes that were written of it with these options.
+    ///
+    /// Nothing is flattened: counts are added up cell by cell. Those that do not fit 64 bits stop at the largest number.
+    ///
+    /// # Errors
+    /// [`IoError::Option`] as for writing.
+    pub fn new(device: &Device, options: &GdsOptions, bytes: &[u8]) -> Result<Self> {
+        let table = CellTable::of(device, options)?;
+        let below = Below::of(device);
+        Ok(Self {
+            top: table.name_of(device).to_owned(),
+            cells: table.iter().len(),
+            instances: below.instances,
+            layers: below.layers.into_values().collect(),
+            bbox: device.bbox(),
+            bytes: bytes.len() as u64,
+            sha256: Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect(),
+        })
+    }
+
+    /// Sums up a device and the file that was written of it with these options.
+    ///
+    /// # Errors
+    /// [`IoError::File`] if it cannot be read; [`IoError::Option`] as for writing.
+    pub fn of_file(device: &Device, options: &GdsOptions, path: impl AsRef<Path>) -> Result<Self> {
+        let path = path.as_ref();
+        let bytes = fs::read(path).map_err(|error| IoError::file(path, "read it", error))?;
+        Self::new(device, options, &bytes)
     }
 }
 
-impl Tally {
-    fn of(cell: &Device, below: &HashMap<usize, Self>) -> Self {
-        let mut tally = Self { labels: cell.labels().len() as u64, ..Self::default() };
+/// What a cell holds, with all levels below it.
+#[derive(Debug, Clone, Default)]
+struct Below {
+    instances: u64,
+    layers: BTreeMap<Layer, LayerSummary>,
+}
+
+impl Below {
+    fn of(top: &Device) -> Self {
+        let mut sums: HashMap<usize, Self> = HashMap::new();
+        // Cells come before the cells that they place; backwards, every child is known.
+        for cell in top.cells().iter().rev() {
+            let mut sum = Self::own(cell);
+            for reference in cell.references() {
+                let child = &sums[&reference.device().address()];
+                sum.add(child, reference.count() as u64, reference.transform().magnification);
+            }
+            sums.insert(cell.address(), sum);
+        }
+        sums.remove(&top.address()).unwrap_or_default()
+    }
+
+    fn own(cell: &Device) -> Self {
+        let mut sum = Self::default();
         for polygon in cell.polygons() {
-            let layer = tally.layers.entry(polygon.layer).or_default();
+            let layer = sum.layer(polygon.layer);
             layer.polygons += 1;
             layer.vertices += polygon.points.len() as u64;
             layer.area += polygon.area();
         }
-        for reference in cell.references() {
-            let child = &below[&reference.device().address()];
-            tally.add(child, reference.count() as u64, reference.transform().magnification);
+        for label in cell.labels() {
+            sum.layer(label.layer).labels += 1;
         }
-        tally
+        sum
+    }
+
+    fn layer(&mut self, layer: Layer) -> &mut LayerSummary {
+        let nothing = LayerSummary { layer, polygons: 0, vertices: 0, area: 0.0, labels: 0 };
+        self.layers.entry(layer).or_insert(nothing)
     }
 
     fn add(&mut self, child: &Self, count: u64, magnification: f64) {
-        self.instances += count * (1 + child.instances);
-        self.labels += count * child.labels;
-        for (layer, drawn) in &child.layers {
-            let own = self.layers.entry(*layer).or_default();
-            own.polygons += count * drawn.polygons;
-            own.vertices += count * drawn.vertices;
-            own.area += count as f64 * drawn.area * magnification * magnification;
+        let add = |sum: &mut u64, more: u64| *sum = sum.saturating_add(more.saturating_mul(count));
+        add(&mut self.instances, child.instances.saturating_add(1));
+        for (layer, more) in &child.layers {
+            let sum = self.layer(*layer);
+            add(&mut sum.polygons, more.polygons);
+            add(&mut sum.vertices, more.vertices);
+            add(&mut sum.labels, more.labels);
+            sum.area += more.area * magnification * magnification * count as f64;
         }
     }
 }
 
+impl Summary {
+    /// The same as JSON, layers by their names.
+    #[must_use]
+    pub fn to_json(&self) -> serde_json::Value {
+        let layers = self.layers.iter().map(|layer| {
+            let LayerSummary { polygons, vertices, area, labels, .. } = *layer;
+            let figures = json!({ "polygons": polygons, "vertices": vertices, "area": area, "labels": labels });
+            (layer.layer.to_string(), figures)
+        });
+        json!({
+            "top": self.top,
+            "cells": self.cells,
+            "instances": self.instances,
+            "layers": layers.collect::<Map<_, _>>(),
+            "bbox": self.bbox.map(corners),
+            "bytes": self.bytes,
+            "sha256": self.sha256,
+        })
+    }
+}
+
 impl std::fmt::Display for Summary {
-    /// A line for the whole and a table of the layers.
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        writeln!(f, "top cell   {}", self.top)?;
+        writeln!(f, "cells      {}", self.cells)?;
+        writeln!(f, "instances  {}", self.instances)?;
         match self.bbox {
-            Some(bbox) => {
-                let size = bbox.size();
-                writeln!(f, "box          {bbox} µm  ({:.3} × {:.3})", size.width, size.height)?;
-            }
-            None => writeln!(f, "box          nothing is drawn")?,
+            Some(bbox) => writeln!(f, "box        {bbox} µm")?,
+            None => writeln!(f, "box        none")?,
         }
-        writeln!(f, "instances    {}", self.instances)?;
-        writeln!(f, "labels       {}", self.labels)?;
-        write!(f, "{:<12} {:>12} {:>12} {:>18}", "layer", "polygons", "vertices", "area (µm²)")?;
-        for (layer, drawn) in &self.layers {
-            let name = layer.to_string();
-            write!(f, "\n{name:<12} {:>12} {:>12} {:>18.6}", drawn.polygons, drawn.vertices, drawn.area)?;
+        writeln!(f, "file       {} bytes", self.bytes)?;
+        writeln!(f, "sha256     {}", self.sha256)?;
+        write!(f, "{:>11} {:>12} {:>14} {:>20} {:>10}", "layer", "polygons", "vertices", "area (µm²)", "labels")?;
+        for LayerSummary { layer, polygons, vertices, area, labels } in &self.layers {
+            let layer = layer.to_string();
+            write!(f, "\n{layer:>11} {polygons:>12} {vertices:>14} {area:>20.6} {labels:>10}")?;
         }
         Ok(())
     }
@@ -104,25 +178,83 @@ impl std::fmt::Display for Summary {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
-    use phidl_core::prelude::*;
+    use expect_test::expect;
+    use phidl_core::geom::Transform;
+    use phidl_core::scene::Reference;
 
-    #[test]
-    fn placements_multiply_and_magnification_squares() {
+    use super::*;
+    use crate::gds;
+
+    fn mask() -> Device {
         let mut d = Device::builder("dot");
         d.add_polygon([(0, 0), (2, 0), (2, 2), (0, 2)], 1).unwrap();
-        d.add_label("dot", (0, 0), 9);
+        d.add_label("dot", (0, 0), (10, 2));
         let dot = d.build().unwrap();
-        let mut d = Device::builder("row");
-        d.add(dot.array(3, 2, (5, 5)));
-        let row = d.build().unwrap();
-        let mut d = Device::builder("top");
-        d.add(&row);
-        d.add(row.place().scaled(3));
-        d.add_polygon([(0, 0), (1, 0), (0, 1)], (2, 1)).unwrap();
-        let summary = Summary::of(&d.build().unwrap());
-        assert_eq!((summary.instances, summary.labels), (14, 12));
-        assert_eq!(summary.layers[&1.into()], LayerSummary { polygons: 12, vertices: 48, area: 24.0 + 216.0 });
-        assert_eq!(summary.layers[&(2, 1).into()], LayerSummary { polygons: 1, vertices: 3, area: 0.5 });
+        let mut d = Device::builder("field");
+        d.add(dot.array(100, 10, (5, 5)));
+        d.add_polygon([(0, 0), (9, 0), (0, 9)], 2).unwrap();
+        let field = d.build().unwrap();
+        let mut d = Device::builder("mask");
+        d.add(&field);
+        d.add(Reference::new(field, Transform::scaling(3.0)));
+        d.build().unwrap()
+    }
+
+    #[test]
+    fn counts_and_areas_are_those_of_the_flat_drawing() {
+        let mask = mask();
+        let options = GdsOptions::default();
+        let summary = Summary::new(&mask, &options, b"").unwrap();
+        let flat: Vec<_> = mask.flat_polygons().collect();
+        assert_eq!(summary.layers.iter().map(|l| l.polygons).sum::<u64>(), flat.len() as u64);
+        let vertices: u64 = flat.iter().map(|p| p.len() as u64).sum();
+        assert_eq!(summary.layers.iter().map(|l| l.vertices).sum::<u64>(), vertices);
+        let area: f64 = flat.iter().map(|p| p.area()).sum();
+        assert!((summary.layers.iter().map(|l| l.area).sum::<f64>() / area - 1.0).abs() < 1e-12);
+        assert_eq!(summary.instances, mask.instances().count() as u64 - 1);
+        assert_eq!(summary.layers.iter().map(|l| l.labels).sum::<u64>(), 2000);
+        // SHA-256 of nothing, from its definition.
+        assert_eq!(summary.sha256, "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+    }
+
+    #[test]
+    fn the_table_is_easy_to_read() {
+        let summary =
+            Summary { sha256: "…".into(), ..Summary::new(&mask(), &GdsOptions::default(), b"gds").unwrap() };
+        expect![[r#"
+            top cell   mask
+            cells      3
+            instances  2002
+            box        (0, 0) to (1491, 141) µm
+            file       3 bytes
+            sha256     …
+                  layer     polygons       vertices           area (µm²)     labels
+                    1/0         2000           8000         40000.000000          0
+                    2/0            2              6           405.000000          0
+                   10/2            0              0             0.000000       2000"#]]
+        .assert_eq(&summary.to_string());
+    }
+
+    #[test]
+    fn numbers_that_are_too_large_stop_at_the_largest() {
+        let mut cell = mask();
+        for level in 0..8 {
+            let mut d = Device::builder(format!("level{level}"));
+            d.add(cell.array(60_000, 60_000, (0, 0)));
+            cell = d.build().unwrap();
+        }
+        let below = Below::of(&cell);
+        assert_eq!((below.instances, below.layers[&Layer::new(1, 0)].polygons), (u64::MAX, u64::MAX));
+    }
+
+    #[test]
+    fn a_file_is_summed_up_as_it_lies_there() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("mask.gds");
+        let options = GdsOptions::default();
+        let report = gds::write(&mask(), &path, &options).unwrap();
+        let summary = Summary::of_file(&mask(), &options, &path).unwrap();
+        assert_eq!((summary.bytes, summary.cells), (report.bytes, report.cells.len()));
+        assert!(Summary::of_file(&mask(), &options, folder.path().join("none")).is_err());
     }
 }

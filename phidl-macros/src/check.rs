@@ -63,8 +63,13 @@ pub(crate) fn generator(generator: &Generator, problems: &mut Problems) {
     }
 }
 
+/// By the names alone: an alias without arguments is taken at its word, and the compiler has the last one.
 fn is_result(ty: &Type) -> bool {
-    last_segment(ty).is_some_and(|segment| segment.ident == "Result")
+    let Some(result) = last_segment(ty).filter(|segment| segment.ident == "Result") else { return false };
+    match type_arguments(result).first() {
+        Some(of) => last_segment(of).is_some_and(|segment| segment.ident == "Device"),
+        None => true,
+    }
 }
 
 fn parameter(param: &Parameter, problems: &mut Problems) {

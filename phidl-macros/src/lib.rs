@@ -13,13 +13,106 @@ mod widen;
 
 use proc_macro::TokenStream;
 
-/// Makes a generator of a function that draws a cell.
+/// Makes a generator of a function that draws a cell: cached, registered, and callable by position or by name.
+///
+/// ```
+/// use phidl_core::prelude::*;
+/// use phidl_macros::device;
+///
+/// /// Draws a pad with a port on its right.
+/// #[device]
+/// pub fn pad(
+///     /// Width and height.
+///     #[default((40, 20))]
+///     #[param(unit = "um", above = 0)]
+///     size: Size,
+///     /// Where it is drawn.
+///     #[default(0)]
+///     layer: Layers,
+///     /// Width of the port, the height of the pad if not given.
+///     #[default(None)]
+///     #[param(unit = "um", min = 0, named)]
+///     port_width: Option<f64>,
+/// ) -> Result<Device> {
+///     let (w, h) = (size.width, size.height);
+///     let mut d = Device::builder("pad");
+///     d.add_polygon([(0.0, 0.0), (w, 0.0), (w, h), (0.0, h)], layer)?;
+///     d.add_port("e", ((w, h / 2.0), port_width.unwrap_or(h), 0))?;
+///     d.build()
+/// }
+///
+/// let a = pad((10, 5.5), 1)?; // by position: whatever converts without loss
+/// let b = PadParams { size: (10, 5.5).into(), layer: 1.into(), ..Default::default() }.build()?; // by name
+/// let c = PadParams::default().size((10, 5.5)).layer(1).build()?; // by setters
+/// assert!(a.same_cell(&b) && b.same_cell(&c)); // drawn once
+///
+/// let error = pad((10, 0), 1).unwrap_err();
+/// assert_eq!(error.to_string(), "pad: size.height is 0 µm, but it must be greater than 0 µm");
+/// # Ok::<(), phidl_core::Error>(())
+/// ```
+///
+/// # What is generated
+/// - the function itself, with its attributes, its visibility, its parameters in their order and a list of them
+///   in its documentation. Each parameter takes what converts to it: `f64` any number that fits, `Layers` `7` or
+///   `(7, 0)` or a set, `Option<T>` a bare `T` or `None`, `Vec<T>` anything that can be walked over. Integers, `bool`
+///   and `char` stay as they are, since a literal could otherwise not tell its type;
+/// - `<Name>Params`, with a public field for each parameter, one setter of the same name (unless the struct has a
+///   method of this name, such as `build`), `build()` and `build_uncached()`; with `Default` if every parameter has a
+///   default, otherwise with `new(…)`, which takes those that have none;
+/// - an entry in the registry of the program, under the name of the function.
+///
+/// # Options of the function: `#[device(…)]`
+/// | option | meaning |
+/// |---|---|
+/// | `name = "L"` | another name in the registry |
+/// | `no_cache` | the body runs at every call |
+/// | `example = TextParams::new("A")` | what galleries and tests draw; it may use `?`. Needed where there is no default |
+///
+/// # Attributes of a parameter
+/// | attribute | meaning |
+/// |---|---|
+/// | `#[default(10)]` | its default, converted like an argument |
+/// | `#[param(unit = "um")]` | the unit of its numbers: shown in documentation and errors, told by the registry |
+/// | `#[param(min = 0, max = 1)]` | the range of its numbers, both ends included: checked before the body runs, also inside lists, options and pairs |
+/// | `#[param(above = 0, below = 1)]` | the same, both ends excluded |
+/// | `#[param(name = "R")]` | another name in the registry |
+/// | `#[param(named)]` | a field only, and no argument of the function; it needs a default |
+///
+/// Documentation and levels of lints are carried over. Numbers that are NaN or infinite are always refused.
+///
+/// # What is refused
+/// Methods, generics, `async`, `const`, `unsafe`, borrowed parameters, patterns, another result than `Result<Device>`,
+/// options that are unknown or given twice, a default outside of its own bounds: all mistakes at once, each under its
+/// own token. `phidl_core::param::Check` states the rules that bounds cannot.
+///
+/// # Calls that need a hint
+/// An empty list has no type to be seen: write `Vec::<f64>::new()`. `Some(5)` for an `Option<f64>` is no float: write
+/// `5` or `Some(5.0)`.
 #[proc_macro_attribute]
 pub fn device(options: TokenStream, function: TokenStream) -> TokenStream {
     device_impl(options.into(), function.into()).into()
 }
 
 /// Lets an enum of bare words be a parameter.
+///
+/// In records and JSON a variant is its name in snake case, or the text of `#[choice("…")]`; capitals make no
+/// difference when it is read.
+///
+/// ```
+/// use phidl_core::param::{Param, Value};
+/// use phidl_macros::Choice;
+///
+/// #[derive(Debug, Clone, Copy, PartialEq, Choice)]
+/// enum Corner {
+///     Straight,
+///     #[choice("fillet")]
+///     Round,
+/// }
+///
+/// assert_eq!(Corner::Round.to_value(), Value::from("fillet"));
+/// assert_eq!(Corner::from_value(&Value::from("STRAIGHT")).unwrap(), Corner::Straight);
+/// assert_eq!(Corner::kind().to_string(), "one of straight, fillet");
+/// ```
 #[proc_macro_derive(Choice, attributes(choice))]
 pub fn choice(input: TokenStream) -> TokenStream {
     choice::derive(input.into()).into()

@@ -2,7 +2,7 @@
 //!
 //! Types are all that a macro sees, so a type alias for `Vec<f64>` widens like any other type: through `Into`.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Span, TokenStream};
 use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::{Expr, GenericArgument, PathArguments, PathSegment, Type};
@@ -56,16 +56,16 @@ impl Widen {
     /// The parameter made of an argument.
     pub(crate) fn convert(&self, argument: TokenStream) -> TokenStream {
         let span = argument.span();
-        let function = self.function();
+        let function = self.function(span);
         match self {
             Self::Plain => argument,
             Self::Into | Self::Option(_) => quote_spanned!(span=> #function(#argument)),
             Self::List(_, item) => {
-                let item = item.function();
+                let item = item.function(span);
                 quote_spanned!(span=> ::phidl_core::__private::list(#argument, #item))
             }
             Self::Map(_, item) => {
-                let item = item.function();
+                let item = item.function(span);
                 quote_spanned!(span=> ::phidl_core::__private::map(#argument, #item))
             }
         }
@@ -81,18 +81,18 @@ impl Widen {
     }
 
     /// A function of one argument that converts it.
-    fn function(&self) -> TokenStream {
+    fn function(&self, span: Span) -> TokenStream {
         match self {
-            Self::Plain => quote!(::core::convert::identity),
-            Self::Into => quote!(::phidl_core::__private::widen),
-            Self::Option(_) => quote!(::phidl_core::__private::option),
+            Self::Plain => quote_spanned!(span=> ::core::convert::identity),
+            Self::Into => quote_spanned!(span=> ::phidl_core::__private::widen),
+            Self::Option(_) => quote_spanned!(span=> ::phidl_core::__private::option),
             Self::List(_, item) => {
-                let item = item.function();
-                quote!(|items| ::phidl_core::__private::list(items, #item))
+                let item = item.function(span);
+                quote_spanned!(span=> |items| ::phidl_core::__private::list(items, #item))
             }
             Self::Map(_, item) => {
-                let item = item.function();
-                quote!(|items| ::phidl_core::__private::map(items, #item))
+                let item = item.function(span);
+                quote_spanned!(span=> |items| ::phidl_core::__private::map(items, #item))
             }
         }
     }

@@ -20,7 +20,9 @@ use crate::progress::Progress;
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Entry {
-    id: String,
+    /// Read before the rest, so that an entry with a mistake gets a file that says so.
+    #[serde(rename = "id")]
+    _id: String,
     device: String,
     #[serde(default)]
     params: BTreeMap<String, Value>,
@@ -67,7 +69,7 @@ fn write(device: &Device, out: &Path) -> anyhow::Result<()> {
 fn many(batch: &Path, out_dir: &Path) -> anyhow::Result<()> {
     let text = std::fs::read_to_string(batch).with_context(|| batch.display().to_string())?;
     let entries: Vec<Json> = serde_json::from_str(&text).with_context(|| batch.display().to_string())?;
-    atomic::create_folder(out_dir).map_err(|error| anyhow::anyhow!(error.in_full()))?;
+    std::fs::create_dir_all(out_dir).with_context(|| out_dir.display().to_string())?;
     let progress = Progress::new();
     let mut refused = 0;
     let mut homeless = Vec::new();
@@ -77,9 +79,8 @@ fn many(batch: &Path, out_dir: &Path) -> anyhow::Result<()> {
             homeless.push(number);
             continue;
         };
-        let result = Entry::deserialize(entry)
-            .map_err(anyhow::Error::from)
-            .and_then(|entry| draw(&entry.device, &entry.params));
+        let result =
+            Entry::deserialize(entry).map_err(anyhow::Error::from).and_then(|entry| draw(&entry.device, &entry.params));
         let described = match result {
             Ok(device) => json::describe(&device),
             Err(error) => {
@@ -87,8 +88,7 @@ fn many(batch: &Path, out_dir: &Path) -> anyhow::Result<()> {
                 object!({ "error": format!("{error:#}") })
             }
         };
-        atomic::write(&file, json::to_text(&described).as_bytes())
-            .map_err(|error| anyhow::anyhow!(error.in_full()))?;
+        atomic::write(&file, json::to_text(&described).as_bytes()).map_err(|error| anyhow::anyhow!(error.in_full()))?;
     }
     drop(progress);
     println!("{} drawn, {refused} refused", entries.len() - refused - homeless.len());

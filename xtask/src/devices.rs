@@ -27,18 +27,16 @@ fn describe(entry: &Entry) -> String {
     text
 }
 
+/// What it takes, what it is if it is not given, and what it is for.
 fn describe_param(param: &ParamInfo) -> String {
-    let mut text = format!("{:<18} {}", param.name, param.kind);
+    let mut takes = param.kind.to_string();
     if let Some(unit) = param.unit {
-        text += &format!(", {unit}");
+        takes += &format!(" in {unit}");
     }
     if param.bounds != Bounds::NONE {
-        text += &format!(", {}", param.bounds);
+        takes += &format!(", {}", param.bounds);
     }
-    match &param.default {
-        Some(default) => text += &format!(" = {default}"),
-        None => text += ", required",
-    }
+    let default = param.default.as_ref().map_or_else(|| "required".to_owned(), |default| format!("= {default}"));
     let docs = param.docs.trim().lines().next().unwrap_or_default();
-    format!("{text:<60} {docs}")
+    format!("{:<18} {default:<14} {docs}\n    {:<18} {:<14} ({takes})", param.name, "", "")
 }

@@ -1,7 +1,7 @@
 //! `cargo xtask`: masks of this repository, and the devices that are linked into it.
 //!
 //! This file only dispatches; the work is in the libraries, where it can be tested.
-#![expect(clippy::print_stdout, reason = "commands talk to whoever typed them")]
+#![expect(clippy::print_stdout, clippy::print_stderr, reason = "commands talk to whoever typed them")]
 
 mod demo;
 mod device;
@@ -10,15 +10,24 @@ mod flags;
 mod mask;
 mod progress;
 
+use std::process::ExitCode;
+
 use clap::Parser;
 use flags::{Command, Flags};
 use phidl_geometry as _;
 
-fn main() -> anyhow::Result<()> {
-    match Flags::parse().command {
+fn main() -> ExitCode {
+    let result = match Flags::parse().command {
         Command::Mask(flags) => mask::run(&flags),
         Command::Devices(flags) => devices::run(&flags),
         Command::Device(flags) => device::run(&flags),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::FAILURE
+        }
     }
 }
 

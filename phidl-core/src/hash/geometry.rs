@@ -75,7 +75,10 @@ mod tests {
     use super::*;
     use crate::layer::Layers;
 
-    fn hash(polygons: &[(&[(f64, f64)], Layers)], precision: f64) -> String {
+    /// Outlines with their layers.
+    type Drawing<'a> = &'a [(&'a [(f64, f64)], Layers)];
+
+    fn hash(polygons: Drawing<'_>, precision: f64) -> String {
         let mut d = Device::builder("hashed");
         for (points, layers) in polygons {
             d.add_polygon(points.to_vec(), layers).unwrap();
@@ -87,7 +90,7 @@ mod tests {
     #[test]
     fn hashes_are_those_of_the_specification() {
         let t: &[_] = &[(0., 0.), (1., 0.), (0., 1.)];
-        let cases: &[(&[(&[(f64, f64)], Layers)], &str)] = &[
+        let cases: &[(Drawing<'_>, &str)] = &[
             (&[(t, 0.into())], "a375d27406612477e92bf49e59db9d2a364cbe7b"),
             (&[(t, 1.into())], "386766e68f947c9edfd877496412720cdce8ca2a"),
             (&[(t, (0, 1).into())], "b3776c0d91fc3647afd250c6190c4bd46e7ea519"),

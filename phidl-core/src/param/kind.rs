@@ -39,6 +39,7 @@ impl Kind {
     /// How a number stands inside a value of this kind: `.width` for the first number of a size.
     pub(crate) fn place(&self, index: usize) -> String {
         match (self, index) {
+            (Self::Optional(inner), _) => inner.place(index),
             (Self::Point, 0) => ".x".to_owned(),
             (Self::Point, 1) => ".y".to_owned(),
             (Self::Size, 0) => ".width".to_owned(),
@@ -86,6 +87,12 @@ impl std::fmt::Display for Kind {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_coordinates_of_an_optional_size_have_names() {
+        assert_eq!(Kind::Optional(Box::new(Kind::Size)).place(1), ".height");
+        assert_eq!(Kind::List(Box::new(Kind::Size)).place(1), "[1]");
+    }
 
     #[test]
     fn kinds_are_told_in_words() {

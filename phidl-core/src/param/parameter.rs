@@ -34,6 +34,11 @@ use crate::port::Port;
 ///     }
 /// }
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot be a parameter of a device generator",
+    label = "not a parameter",
+    note = "parameters are numbers, bools, text, points, sizes, layers, ports, devices, recipes, values, lists, maps and options of them, and enums with `#[derive(Choice)]`"
+)]
 pub trait Param: Clone + std::fmt::Debug + PartialEq + Send + Sync + 'static {
     /// What it takes, for the registry.
     fn kind() -> Kind;

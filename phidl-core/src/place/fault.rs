@@ -23,6 +23,8 @@ pub enum Refusal {
     PointNotFinite(Point),
     /// A magnification is zero or negative.
     FactorNotPositive(f64),
+    /// A tolerance is negative or not finite.
+    BadTolerance(f64),
     /// The two points of a mirror line are the same.
     LineOfOnePoint(Point),
     /// The thing draws nothing, so it has no edge to put anywhere.
@@ -47,6 +49,12 @@ impl PlaceFault {
                 what: format!("{word} of {what}").into(),
                 value: factor.to_string().into(),
                 rule: "be greater than 0".into(),
+            },
+            Refusal::BadTolerance(tolerance) => Error::Refused {
+                device,
+                what: format!("tolerance to {word} {what}").into(),
+                value: format!("{tolerance} µm").into(),
+                rule: "be finite and at least 0 µm".into(),
             },
             Refusal::LineOfOnePoint(p) => Error::Refused {
                 device,

@@ -68,14 +68,7 @@ pub(super) struct State {
     pub(super) flights: Flights,
 }
 
-static STATE: LazyLock<Mutex<State>> = LazyLock::new(|| {
-    Mutex::new(State {
-        done: LruCache::unbounded_with_hasher(FxBuildHasher),
-        limit: DEFAULT_LIMIT,
-        stats: Stats::default(),
-        flights: Flights::default(),
-    })
-});
+static STATE: LazyLock<Mutex<State>> = LazyLock::new(|| Mutex::new(State::new(DEFAULT_LIMIT)));
 
 /// Nothing panics while the lock is held, and if it did, every table would still be whole.
 pub(super) fn lock() -> MutexGuard<'static, State> {
@@ -83,6 +76,11 @@ pub(super) fn lock() -> MutexGuard<'static, State> {
 }
 
 impl State {
+    fn new(limit: usize) -> Self {
+        let done = LruCache::unbounded_with_hasher(FxBuildHasher);
+        Self { done, limit, stats: Stats::default(), flights: Flights::default() }
+    }
+
     /// The finished cell, which becomes the most recently used one.
     pub(super) fn hit(&mut self, key: &Key) -> Option<Device> {
         let device = self.done.get(key)?.clone();
@@ -90,14 +88,18 @@ impl State {
         Some(device)
     }
 
-    /// Keeps a cell, unless one is kept for the key: that one is returned.
+    /// Keeps a cell, unless one is kept for the key: that one is returned. A cell that is larger than the limit is not
+    /// kept, since all others would have to go for it.
     pub(super) fn keep_first(&mut self, key: &Key, device: Device) -> Device {
         if let Some(first) = self.done.get(key) {
             return first.clone();
         }
-        self.stats.bytes += device.own_size();
-        self.done.put(key.clone(), device.clone());
-        self.evict();
+        let size = device.own_size();
+        if size <= self.limit {
+            self.stats.bytes += size;
+            self.done.put(key.clone(), device.clone());
+            self.evict();
+        }
         device
     }
 
@@ -107,5 +109,51 @@ impl State {
             self.stats.bytes -= oldest.own_size();
             self.stats.evictions += 1;
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A cell with so many points, 16 bytes each.
+    fn cell(points: u32) -> Device {
+        let mut d = Device::builder("cell");
+        let outline: Vec<(u32, u32)> = (0..points).map(|i| (i, i * i)).collect();
+        d.add_polygon(outline, 1).unwrap();
+        d.build().unwrap()
+    }
+
+    fn keep(state: &mut State, n: u32, points: u32) -> Device {
+        state.keep_first(&Key::of_number(n), cell(points))
+    }
+
+    #[test]
+    fn the_least_recently_used_cells_go_when_the_limit_is_reached() {
+        let mut state = State::new(3 * cell(1000).own_size());
+        for n in 0..3 {
+            keep(&mut state, n, 1000);
+        }
+        assert!(state.hit(&Key::of_number(0)).is_some(), "all three fit, and this one was just used");
+        keep(&mut state, 3, 1000);
+        let kept: Vec<bool> = (0..4).map(|n| state.hit(&Key::of_number(n)).is_some()).collect();
+        assert_eq!(kept, [true, false, true, true]);
+        assert_eq!((state.stats.evictions, state.stats.bytes), (1, 3 * cell(1000).own_size()));
+    }
+
+    #[test]
+    fn a_cell_that_is_too_large_does_not_drive_out_the_others() {
+        let mut state = State::new(cell(1000).own_size());
+        keep(&mut state, 0, 10);
+        keep(&mut state, 1, 2000);
+        assert!(state.hit(&Key::of_number(0)).is_some() && state.hit(&Key::of_number(1)).is_none());
+    }
+
+    #[test]
+    fn the_first_cell_under_a_key_stays() {
+        let mut state = State::new(DEFAULT_LIMIT);
+        let first = keep(&mut state, 0, 10);
+        assert!(keep(&mut state, 0, 10).same_cell(&first));
+        assert_eq!(state.stats.bytes, first.own_size());
     }
 }

@@ -55,7 +55,7 @@ impl Row {
     #[doc(hidden)]
     #[must_use]
     pub const fn new<T: Param>(name: &'static str, docs: &'static str, unit: &'static str, bounds: Bounds) -> Self {
-        Self { name, docs, kind: T::kind, unit, bounds }
+        Self { name, docs: docs.trim_ascii(), kind: T::kind, unit, bounds }
     }
 }
 
@@ -73,7 +73,7 @@ impl Entry {
             name,
             module,
             version,
-            docs,
+            docs: docs.trim_ascii(),
             rows,
             defaults: G::defaults,
             example: || Ok(G::example()?.record()),
@@ -105,7 +105,8 @@ impl Entry {
         (self.example)()
     }
 
-    /// Every parameter of a call with these ones, the others at their defaults: checked, but not drawn.
+    /// Every parameter of a call with these ones, the others at their defaults: checked, but not drawn. (A parameter
+    /// that is a device is drawn.)
     ///
     /// # Errors
     /// [`Error::Unknown`](crate::Error::Unknown) for a parameter that is not there,

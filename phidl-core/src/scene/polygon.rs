@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::Group;
 use crate::geom::{Outline, Point, Rect, Transform, signed_area, simplified};
 use crate::layer::Layers;
-use crate::place::{Bounded, PlaceFault, Transformable};
+use crate::place::{Bounded, PlaceFault, Refusal, Transformable};
 
 /// Numbered texts that a file keeps with an element (GDSII's property attributes).
 pub type Properties = BTreeMap<u16, String>;
@@ -43,9 +43,20 @@ impl Polygon {
         signed_area(&self.points).abs()
     }
 
-    /// Takes out the points that are not needed to stay within `tolerance` (µm); see [`simplified`].
-    pub fn simplify(&mut self, tolerance: f64) -> &mut Self {
-        self.points = simplified(&self.points, tolerance);
+    /// Takes out the points that are not needed to stay within `tolerance` (µm); see [`simplified`]. An outline that
+    /// would lose its third point stays as it is.
+    ///
+    /// A tolerance that is negative or not finite changes nothing, and comes back as an error when the polygon is added.
+    pub fn simplify(&mut self, tolerance: impl Into<f64>) -> &mut Self {
+        let tolerance = tolerance.into();
+        if tolerance.is_finite() && tolerance >= 0.0 {
+            let simple = simplified(&self.points, tolerance);
+            if simple.len() >= 3 {
+                self.points = simple;
+            }
+        } else {
+            self.refuse(PlaceFault { word: "simplify", refusal: Refusal::BadTolerance(tolerance) });
+        }
         self
     }
 }

@@ -68,6 +68,21 @@ fn the_first_bad_placement_comes_back_at_the_end() {
 }
 
 #[test]
+fn tolerances_that_are_none_are_refused_and_outlines_keep_three_points() {
+    let thin = Polygon::new([(0.0, 0.0), (1.0, 0.001), (2.0, 0.0)], 1);
+    for tolerance in [-1.0, f64::NAN] {
+        let mut polygon = thin.clone();
+        polygon.simplify(tolerance);
+        assert!(refusal(|d| _ = d.add(polygon)).contains("tolerance to simplify a polygon"));
+        let mut d = Device::builder("cell");
+        d.add(thin.clone());
+        assert!(d.simplify(tolerance).is_err());
+    }
+    let mut polygon = thin.clone();
+    assert_eq!(polygon.simplify(1).points, thin.points);
+}
+
+#[test]
 fn a_placement_that_overflows_is_refused() {
     let error = refusal(|d| {
         d.add(triangle().place().moved_by((1e308, 0)).moved_by((1e308, 0)));

@@ -274,7 +274,8 @@ fn squares() -> (DeviceBuilder, Vec<ReferenceKey>) {
 
 #[test]
 fn distributing_spaces_boxes_or_edges() {
-    let hashes: [(fn(&mut Members<'_>), &str); 4] = [
+    type Arrangement = fn(&mut Members<'_>);
+    let hashes: [(Arrangement, &str); 4] = [
         (|m| _ = m.distribute(Direction::X, 5), "1aa688d7dfb59e94d28dd0d9b8f324ff30281d70"),
         (|m| _ = m.distribute_by(Edge::XMin, 100), "18be0ef1db78095233d2f3ae5f065d9f453a6c07"),
         (|m| _ = m.distribute_by(Edge::XMax, 100), "9bae704112575e2b901ee929a7bc307758febb14"),

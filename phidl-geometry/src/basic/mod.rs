@@ -2,10 +2,12 @@
 
 mod cross;
 mod ellipse;
+mod letters;
 mod rectangle;
 mod ring;
 
 pub use cross::{CrossParams, cross};
 pub use ellipse::{CircleParams, EllipseParams, circle, ellipse};
+pub use letters::{CParams, LParams, c, l};
 pub use rectangle::{BboxParams, Corners, RectangleParams, StraightParams, bbox, rectangle, straight};
 pub use ring::{ArcParams, RingParams, arc, ring};

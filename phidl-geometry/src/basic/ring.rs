@@ -114,7 +114,7 @@ pub fn arc(
     width: f64,
     /// Extent, counter-clockwise if positive.
     #[default(45.0)]
-    #[param(unit = "deg")]
+    #[param(unit = "deg", min = -360.0, max = 360.0)]
     theta: f64,
     /// Where the arc begins, from the x axis.
     #[default(0.0)]

@@ -32,7 +32,7 @@ impl PoleShape {
     }
 }
 
-/// What is drawn in the inner corner of a [`flagpole`](fn@flagpole).
+/// What is drawn in an inner corner of a [`flagpole`](fn@flagpole) or [`tee`](fn@super::tee).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Choice)]
 pub enum PoleTaper {
     /// A triangle.

@@ -1,7 +1,14 @@
 //! Integration tests of the shape library.
 
 mod deplof;
+mod domain;
 mod golden;
+mod hashes;
+mod hashes_basic;
+mod marks_and_tests;
+mod outline;
 mod placement;
+mod quick_start;
 mod registry;
 mod text;
+mod wires_and_pads;

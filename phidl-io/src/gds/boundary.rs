@@ -77,15 +77,7 @@ pub(super) fn read<'a>(
                 Some(xy) => xy.to_mut().extend_from_slice(record.content()),
             },
             kind::PROPATTR => {
-                let attribute = record.number()?;
-                let value = records.next()?;
-                if value.kind != kind::PROPVALUE {
-                    return Err(Fault::new(value.offset, "a property without a value"));
-                }
-                let (text, latin1) = value.text();
-                if latin1 {
-                    problem(value.offset, ProblemKind::Latin1);
-                }
+                let (attribute, text) = records.property(&record, &mut problem)?;
                 properties.insert(attribute, text);
             }
             kind::ELFLAGS | kind::PLEX => {}

@@ -1,40 +1,86 @@
-//! Labels and references in the words of gds21, which encodes them.
+//! Labels and references to records: labels and arrays in the words of gds21, which encodes them; single references not.
 
-use gds21::{GdsArrayRef, GdsElement, GdsPoint, GdsPresentation, GdsProperty, GdsStrans, GdsStructRef, GdsTextElem};
+use gds21::{GdsArrayRef, GdsElement, GdsError, GdsPoint, GdsPresentation, GdsProperty, GdsStrans, GdsTextElem};
 use phidl_core::geom::Transform;
 use phidl_core::num::grid::Grid;
 use phidl_core::scene::{Anchor, Device, Label, Properties, Reference};
 
 use super::cells::CellTable;
+use super::frame::Frame;
 use super::lattice::{self, Block, LatticeError, MOST_BLOCKS};
 use super::limits::Limits;
+use super::single;
 use super::split::Corner;
 use crate::error::{IoError, Item, Result};
+
+/// So many elements are handed to gds21 at a time: few enough to stay near the processor, where a million at once would
+/// take three hundred megabytes.
+const PORTION: usize = 4096;
 
 /// The labels and references of one cell, on their way into the file.
 pub(super) struct Elements<'a> {
     pub(super) cell: &'a Device,
     pub(super) table: &'a CellTable,
+    pub(super) frame: &'a Frame,
     pub(super) grid: &'a Grid,
     pub(super) limits: &'a Limits<'a>,
 }
 
 impl Elements<'_> {
-    /// Labels first, then references, as PHIDL writes them; with the number of arrays that were taken apart.
-    pub(super) fn all(&self) -> Result<(Vec<GdsElement>, u64)> {
-        let mut elements = Vec::new();
+    /// Appends the records of all labels, then of all references, as PHIDL orders them; `flush` takes the bytes away
+    /// from time to time. Returns how many arrays were taken apart.
+    pub(super) fn write(&self, bytes: &mut Vec<u8>, mut flush: impl FnMut(&mut Vec<u8>) -> Result<()>) -> Result<u64> {
+        let mut portion = Vec::new();
         let mut taken_apart = 0;
         for (index, label) in self.cell.labels().iter().enumerate() {
-            elements.push(self.label(index, label)?.into());
-        }
-        for (index, reference) in self.cell.references().iter().enumerate() {
-            let blocks = self.blocks(index, reference)?;
-            taken_apart += u64::from(blocks.len() > 1);
-            for block in &blocks {
-                elements.push(self.block(index, reference, block)?);
+            portion.push(self.label(index, label)?.into());
+            if portion.len() >= PORTION {
+                self.encode(&mut portion, bytes)?;
+                flush(bytes)?;
             }
         }
-        Ok((elements, taken_apart))
+        self.encode(&mut portion, bytes)?;
+        for (index, reference) in self.cell.references().iter().enumerate() {
+            taken_apart += u64::from(self.reference(index, reference, bytes)? > 1);
+            flush(bytes)?;
+        }
+        Ok(taken_apart)
+    }
+
+    /// Hands some elements to gds21.
+    fn encode(&self, elements: &mut Vec<GdsElement>, bytes: &mut Vec<u8>) -> Result<()> {
+        if !elements.is_empty() {
+            let encoded = self.frame.elements(std::mem::take(elements));
+            bytes.extend_from_slice(&encoded.map_err(unfit)?);
+        }
+        Ok(())
+    }
+
+    /// Appends the records of a reference, and returns how many placements and arrays it became.
+    fn reference(&self, index: usize, reference: &Reference, bytes: &mut Vec<u8>) -> Result<usize> {
+        let item = || reference_item(index, reference);
+        self.limits.magnification(self.cell, reference.transform().magnification, item)?;
+        for (attribute, text) in &reference.properties {
+            self.limits.property(self.cell, *attribute, text, item)?;
+        }
+        let child = self.table.name_of(reference.device());
+        let single = |place, bytes: &mut Vec<u8>| {
+            single::put(child, place, reference.transform(), &reference.properties, bytes);
+        };
+        if reference.array().is_none() {
+            let place = super::corner(self.grid, reference.transform().origin);
+            single(place.map_err(|source| self.out_of_range(item(), source))?, bytes);
+            return Ok(1);
+        }
+        let blocks = self.blocks(index, reference)?;
+        for block in &blocks {
+            if block.columns == 1 && block.rows == 1 {
+                single(block.first, bytes);
+            } else {
+                self.encode(&mut vec![self.array(index, reference, block)?.into()], bytes)?;
+            }
+        }
+        Ok(blocks.len())
     }
 
     fn label(&self, index: usize, label: &Label) -> Result<GdsTextElem> {
@@ -73,18 +119,18 @@ impl Elements<'_> {
         })
     }
 
-    fn block(&self, index: usize, reference: &Reference, block: &Block) -> Result<GdsElement> {
+    fn array(&self, index: usize, reference: &Reference, block: &Block) -> Result<GdsArrayRef> {
         let item = || reference_item(index, reference);
-        let name = self.table.name_of(reference.device()).to_owned();
-        let strans = self.strans(reference.transform(), item)?;
-        let properties = self.properties(&reference.properties, item)?;
-        let (elflags, plex) = (None, None);
-        if block.columns == 1 && block.rows == 1 {
-            return Ok(GdsStructRef { name, xy: point(block.first), strans, elflags, plex, properties }.into());
-        }
-        let xy = [block.first, block.column_end, block.row_end].map(point);
-        let (cols, rows) = (block.columns.cast_signed(), block.rows.cast_signed());
-        Ok(GdsArrayRef { name, xy, cols, rows, strans, elflags, plex, properties }.into())
+        Ok(GdsArrayRef {
+            name: self.table.name_of(reference.device()).to_owned(),
+            xy: [block.first, block.column_end, block.row_end].map(point),
+            cols: block.columns.cast_signed(),
+            rows: block.rows.cast_signed(),
+            strans: self.strans(reference.transform(), item)?,
+            elflags: None,
+            plex: None,
+            properties: self.properties(&reference.properties, item)?,
+        })
     }
 
     /// What is not the default: most placements need no record for it.
@@ -112,6 +158,11 @@ impl Elements<'_> {
     fn out_of_range(&self, item: Item, source: phidl_core::num::grid::GridError) -> IoError {
         IoError::OutOfRange { cell: self.cell.name().into(), item: Box::new(item), source }
     }
+}
+
+/// Only a text that is too long for a record can fail in gds21, and those were refused before.
+pub(super) fn unfit(error: GdsError) -> IoError {
+    IoError::option("limits", error, "fit the records of the format")
 }
 
 fn reference_item(index: usize, reference: &Reference) -> Item {

@@ -6,13 +6,13 @@ use phidl_core::num::grid::Grid;
 use phidl_core::scene::Device;
 
 use super::cells::CellTable;
-use super::elements::Elements;
-use super::frame::Frame;
+use super::elements::{Elements, unfit};
+use super::frame::{END_CELL, Frame};
 use super::limits::Limits;
 use super::options::GdsOptions;
 use super::outline::Outlines;
 use crate::atomic::AtomicFile;
-use crate::error::{IoError, Result};
+use crate::error::Result;
 
 /// Bytes are handed on in portions of about this size.
 const PORTION: usize = 1 << 20;
@@ -54,8 +54,9 @@ pub struct GdsReport {
 /// ```
 ///
 /// # Errors
-/// [`IoError::Option`]; [`IoError::Refused`] and [`IoError::OutOfRange`] for what the format cannot say, with cell and
-/// element; [`IoError::File`].
+/// [`IoError::Option`](crate::IoError::Option); [`IoError::Refused`](crate::IoError::Refused) and
+/// [`IoError::OutOfRange`](crate::IoError::OutOfRange) for what the format cannot say, with cell and element;
+/// [`IoError::File`](crate::IoError::File).
 pub fn write(device: &Device, path: impl AsRef<Path>, options: &GdsOptions) -> Result<GdsReport> {
     let grid = options.check()?;
     let mut file = AtomicFile::create(path)?;
@@ -84,10 +85,8 @@ fn encode(
     options: &GdsOptions,
     mut put: impl FnMut(&[u8]) -> Result<()>,
 ) -> Result<GdsReport> {
-    let table = CellTable::new(device, options.top_name.as_deref(), options.max_cellname_length);
-    // Only a text that is too long for a record can fail in gds21, and those are refused before.
-    let too_long = |error| IoError::option("limits", error, "fit the records of the format");
-    let frame = Frame::new(&options.library_name, options.date, options.units(grid)).map_err(too_long)?;
+    let table = CellTable::of(device, options)?;
+    let frame = Frame::new(&options.library_name, options.date, options.units(grid)).map_err(unfit)?;
     let limits = Limits(&options.limits);
     let mut outlines = Outlines::new(grid, options, &limits);
     let mut arrays_taken_apart = 0;
@@ -103,13 +102,11 @@ fn encode(
         Ok(())
     };
     for (cell, name) in table.iter() {
-        let (elements, taken_apart) = Elements { cell, table: &table, grid, limits: &limits }.all()?;
-        arrays_taken_apart += taken_apart;
-        let (head, tail) = frame.cell(name, elements).map_err(too_long)?;
-        buffer.extend_from_slice(&head);
+        buffer.extend_from_slice(&frame.cell(name).map_err(unfit)?);
         outlines.write(cell, &mut buffer, |buffer| flush(buffer, PORTION))?;
-        buffer.extend_from_slice(&tail);
-        flush(&mut buffer, PORTION)?;
+        let elements = Elements { cell, table: &table, frame: &frame, grid, limits: &limits };
+        arrays_taken_apart += elements.write(&mut buffer, |buffer| flush(buffer, PORTION))?;
+        buffer.extend_from_slice(&END_CELL);
     }
     buffer.extend_from_slice(&frame.tail);
     flush(&mut buffer, 0)?;

@@ -13,10 +13,12 @@ const END: usize = 4;
 /// Bytes of BGNSTR, and of the header of STRNAME.
 const BEGIN_CELL: usize = 28 + 4;
 
-/// Everything around the elements of a file.
+/// What ends a cell: ENDSTR.
+pub(super) const END_CELL: [u8; END] = [0, 4, gds21::GdsRecordType::EndStruct as u8, 0];
+
+/// Everything around the outlines of a file.
 ///
-/// gds21 can only write a whole library. So one library per cell is written, with that cell and without its outlines,
-/// and what lies between the library's head and tail is the cell.
+/// gds21 can only write a whole library. So a library with one cell is written, and what is wanted cut out of it.
 pub(super) struct Frame {
     library: String,
     dates: GdsDateTimes,
@@ -36,14 +38,22 @@ impl Frame {
         Ok(frame)
     }
 
-    /// What comes before the outlines of a cell, and what comes after.
-    pub(super) fn cell(&self, name: &str, elems: Vec<GdsElement>) -> Result<(Vec<u8>, Vec<u8>), GdsError> {
-        let cell = GdsStruct { name: name.to_owned(), dates: self.dates.clone(), elems };
-        let mut bytes = self.encode(vec![cell])?;
-        bytes.truncate(bytes.len() - END);
-        bytes.drain(..self.head.len());
-        let tail = bytes.split_off(BEGIN_CELL + name.len() + name.len() % 2);
-        Ok((bytes, tail))
+    /// What a cell begins with.
+    pub(super) fn cell(&self, name: &str) -> Result<Vec<u8>, GdsError> {
+        let mut bytes = self.library_with(name, Vec::new())?;
+        bytes.truncate(bytes.len() - 2 * END);
+        Ok(bytes.split_off(self.head.len()))
+    }
+
+    /// Some elements of a cell.
+    pub(super) fn elements(&self, elements: Vec<GdsElement>) -> Result<Vec<u8>, GdsError> {
+        let mut bytes = self.library_with("", elements)?;
+        bytes.truncate(bytes.len() - 2 * END);
+        Ok(bytes.split_off(self.head.len() + BEGIN_CELL))
+    }
+
+    fn library_with(&self, name: &str, elems: Vec<GdsElement>) -> Result<Vec<u8>, GdsError> {
+        self.encode(vec![GdsStruct { name: name.to_owned(), dates: self.dates.clone(), elems }])
     }
 
     fn encode(&self, structs: Vec<GdsStruct>) -> Result<Vec<u8>, GdsError> {
@@ -78,17 +88,19 @@ fn dates(date: GdsDate) -> GdsDateTimes {
 
 #[cfg(test)]
 mod tests {
+    use gds21::{GdsNode, GdsPoint};
+
     use super::*;
 
     #[test]
     fn a_cell_is_what_lies_between_head_and_tail() {
         let frame = Frame::new("odd", GdsDate::default(), (1e-3, 1e-9)).unwrap();
         for name in ["even", "odd"] {
-            let (head, tail) = frame.cell(name, Vec::new()).unwrap();
-            let whole = [&frame.head[..], &head, &tail, &frame.tail].concat();
+            let node = GdsNode { layer: 1, xy: GdsPoint::vec(&[(3, 4)]), ..GdsNode::default() };
+            let elements = frame.elements(vec![node.clone().into()]).unwrap();
+            let whole = [&frame.head[..], &frame.cell(name).unwrap(), &elements, &END_CELL, &frame.tail].concat();
             let read = GdsLibrary::from_bytes(&whole).unwrap();
-            assert_eq!(read.structs[0].name, name);
-            assert_eq!(tail, [0, 4, 7, 0]);
+            assert_eq!((read.structs[0].name.as_str(), &read.structs[0].elems), (name, &vec![node.into()]));
         }
     }
 

@@ -8,7 +8,7 @@ use phidl_core::scene::{Device, Reference};
 
 use super::library::{self, Library, OpenCell};
 use super::problem::Problem;
-use super::rest::Placement;
+use super::single::Placement;
 use crate::error::{IoError, Result};
 
 /// Cells are not nested deeper than this; real layouts have some ten levels. Whoever walks a device may then do so level
@@ -63,27 +63,29 @@ pub fn read_bytes(bytes: &[u8], options: &ReadOptions) -> Result<Import> {
 
 fn import(bytes: &[u8], file: &str, options: &ReadOptions) -> Result<Import> {
     let Library { name, grid, user_unit, cells, problems } = library::parse(bytes, file)?;
-    let names = cells.iter().enumerate().map(|(place, cell)| (cell.name.clone(), place)).collect();
-    let top = choose(&cells, &names, file, options)?;
-    let order = Order { file, cells: &cells, names: &names }.below(top)?;
-    let device = build(cells, &names, &order, file)?;
+    let children = children(&cells);
+    let top = choose(&cells, &children, file, options)?;
+    let order = Order { file, cells: &cells, children: &children }.below(top)?;
+    let device = build(cells, &children, &order, file)?;
     Ok(Import { device, problems, library_name: name, grid: grid.step(), user_unit })
 }
 
+/// For each cell, the places of the cells that its references name; `None` for names that are not in the file.
+fn children(cells: &[OpenCell]) -> Vec<Vec<Option<usize>>> {
+    let names: HashMap<&str, usize> = cells.iter().enumerate().map(|(i, cell)| (cell.name.as_str(), i)).collect();
+    let of = |cell: &OpenCell| cell.references.iter().map(|p| names.get(p.child.as_str()).copied()).collect();
+    cells.iter().map(of).collect()
+}
+
 /// The cell that was asked for, or the only one that no other places.
-fn choose(
-    cells: &[OpenCell],
-    names: &HashMap<String, usize>,
-    file: &str,
-    options: &ReadOptions,
-) -> Result<usize> {
+fn choose(cells: &[OpenCell], children: &[Vec<Option<usize>>], file: &str, options: &ReadOptions) -> Result<usize> {
     let known = || cells.iter().map(|cell| cell.name.clone()).collect();
     if let Some(name) = &options.cellname {
         let unknown = || IoError::UnknownCell { file: file.into(), name: name.as_str().into(), cells: known() };
-        return names.get(name).copied().ok_or_else(unknown);
+        return cells.iter().position(|cell| cell.name == *name).ok_or_else(unknown);
     }
     let mut placed = vec![false; cells.len()];
-    for child in cells.iter().flat_map(|cell| &cell.references).filter_map(|p| names.get(&p.child)) {
+    for child in children.iter().flatten().flatten() {
         placed[*child] = true;
     }
     let tops: Vec<usize> = (0..cells.len()).filter(|cell| !placed[*cell]).collect();
@@ -101,7 +103,7 @@ fn choose(
 struct Order<'a> {
     file: &'a str,
     cells: &'a [OpenCell],
-    names: &'a HashMap<String, usize>,
+    children: &'a [Vec<Option<usize>>],
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -121,13 +123,13 @@ impl Order<'_> {
         let mut stack = vec![(top, 0)];
         states[top] = State::Open;
         while let Some((cell, next)) = stack.pop() {
-            let Some(placement) = self.cells[cell].references.get(next) else {
+            let Some(child) = self.children[cell].get(next) else {
                 states[cell] = State::Done(self.levels(cell, &states)?);
                 order.push(cell);
                 continue;
             };
             stack.push((cell, next + 1));
-            let child = self.child(cell, placement)?;
+            let child = child.ok_or_else(|| self.missing(cell, &self.cells[cell].references[next]))?;
             match states[child] {
                 State::Done(_) => {}
                 State::Open => return Err(self.circle(child, &stack)),
@@ -140,18 +142,20 @@ impl Order<'_> {
         Ok(order)
     }
 
-    fn child(&self, cell: usize, placement: &Placement) -> Result<usize> {
-        self.names.get(&placement.child).copied().ok_or_else(|| IoError::MissingCell {
+    fn missing(&self, cell: usize, placement: &Placement) -> IoError {
+        IoError::MissingCell {
             file: self.file.into(),
             cell: self.cells[cell].name.as_str().into(),
             missing: placement.child.as_str().into(),
             offset: placement.offset,
-        })
+        }
     }
 
     fn levels(&self, cell: usize, states: &[State]) -> Result<usize> {
-        let children = self.cells[cell].references.iter().filter_map(|p| self.names.get(&p.child));
-        let below = children.map(|child| if let State::Done(levels) = states[*child] { levels + 1 } else { 0 });
+        let below = self.children[cell]
+            .iter()
+            .flatten()
+            .map(|child| if let State::Done(levels) = states[*child] { levels + 1 } else { 0 });
         match below.max().unwrap_or(0) {
             levels if levels < MOST_LEVELS => Ok(levels),
             _ => Err(IoError::TooDeep {
@@ -170,7 +174,7 @@ impl Order<'_> {
 }
 
 /// Builds the cells in their order; the last is the one that was asked for.
-fn build(cells: Vec<OpenCell>, names: &HashMap<String, usize>, order: &[usize], file: &str) -> Result<Device> {
+fn build(cells: Vec<OpenCell>, children: &[Vec<Option<usize>>], order: &[usize], file: &str) -> Result<Device> {
     let mut open: Vec<Option<OpenCell>> = cells.into_iter().map(Some).collect();
     let mut devices: Vec<Option<Device>> = vec![None; open.len()];
     let mut last = None;
@@ -180,8 +184,8 @@ fn build(cells: Vec<OpenCell>, names: &HashMap<String, usize>, order: &[usize], 
         for polygon in outlines {
             builder.add(polygon);
         }
-        for placement in references {
-            let child = names.get(&placement.child).and_then(|child| devices[*child].as_ref());
+        for (placement, child) in references.into_iter().zip(&children[*place]) {
+            let child = child.and_then(|child| devices[child].as_ref());
             builder.add(reference(child.expect("invariant: children come first in the order"), placement));
         }
         let device = builder.build().map_err(|source| IoError::Device {

@@ -9,8 +9,9 @@ use phidl_core::scene::{Device, DeviceBuilder, Polygon};
 use super::boundary;
 use super::options::is_real;
 use super::problem::{Problem, ProblemKind};
-use super::rest::{Element, FaultIn, Placement, Rest};
+use super::rest::{Element, FaultIn, Rest};
 use super::scan::{Fault, Record, Records, kind};
+use super::single::{self, Placement};
 use crate::error::{IoError, Result};
 
 /// A file as it stands there.
@@ -30,6 +31,7 @@ pub(super) struct OpenCell {
     pub(super) builder: DeviceBuilder,
     /// Boxes and paths: after the boundaries.
     pub(super) outlines: Vec<Polygon>,
+    /// In the order of the file.
     pub(super) references: Vec<Placement>,
 }
 
@@ -47,13 +49,16 @@ pub(super) fn parse(bytes: &[u8], file: &str) -> Result<Library> {
     let mut parser = Parser { file, grid: &grid, records, rest: Rest::new(), cells: Vec::new(), problems: Vec::new() };
     let mut places = HashMap::new();
     let outcome = parser.cells(&mut places);
-    let Parser { cells, mut problems, .. } = parser;
+    let Parser { mut cells, mut problems, .. } = parser;
     outcome.map_err(|stop| match stop {
         Stop::Fault(fault) => malformed(fault, cells.last().map(|cell| cell.name.as_str())),
         Stop::FaultIn(FaultIn { cell, fault }) => malformed(fault, cells.get(cell).map(|cell| cell.name.as_str())),
         Stop::Error(error) => error,
     })?;
     problems.sort_by_key(|problem| problem.offset);
+    for cell in &mut cells {
+        cell.references.sort_by_key(|placement| placement.offset);
+    }
     Ok(Library { name: head.name, grid, user_unit: head.user_unit, cells, problems })
 }
 
@@ -167,7 +172,8 @@ impl<'a> Parser<'a> {
             match record.kind {
                 kind::ENDSTR => return Ok(()),
                 kind::BOUNDARY => self.boundary(record.offset)?,
-                kind::BOX | kind::PATH | kind::TEXT | kind::SREF | kind::AREF => self.other(record)?,
+                kind::SREF => self.single(record.offset)?,
+                kind::BOX | kind::PATH | kind::TEXT | kind::AREF => self.other(record)?,
                 kind::NODE => self.skip(record.offset)?,
                 kind::STRCLASS => {}
                 other if other > kind::LAST => self.problem(record.offset, ProblemKind::Record(other)),
@@ -191,6 +197,14 @@ impl<'a> Parser<'a> {
             false => cell.builder.set_properties(key, boundary.properties).map(|_| ()),
         });
         kept.map_err(|error| Fault::new(start, error.in_full()).into())
+    }
+
+    fn single(&mut self, start: usize) -> Result<(), Stop> {
+        let Some(cell) = self.cells.last_mut() else { return Ok(()) };
+        let (name, problems) = (&cell.name, &mut self.problems);
+        let problem = |offset, kind| problems.push(Problem { cell: name.clone(), offset, kind });
+        cell.references.push(single::read(start, &mut self.records, self.grid, problem)?);
+        Ok(())
     }
 
     fn other(&mut self, first: Record<'a>) -> Result<(), Stop> {

@@ -1,11 +1,12 @@
 //! GDSII, both ways: [`write()`], [`to_bytes`], [`read()`], [`read_bytes`].
 //!
 //! # What gds21 does here, and what it does not
-//! The gds21 crate (3.0.0-pre.2; there is no 2.x on crates.io, and 0.2 copies whole files) encodes and decodes the
-//! library's head, cells, labels, references, arrays, boxes, paths and real numbers. Only this folder names it, and no
-//! type of it leaves. Polygons take a way of their own, from the cell's buffer to the bytes and back, because one
-//! allocation and one `dyn Write` call per number are too slow for a mask of millions of them. The rest of gds21's gaps
-//! is closed around it:
+//! The gds21 crate (3.0.0-pre.2; there is no 2.x on crates.io, and 0.2 copies whole files) encodes the
+//! library's head, cells, labels and arrays, decodes labels, arrays, boxes and paths, and has the names of records and the
+//! real numbers. Only this folder names it, and no type of it leaves. The two kinds of element that a mask has millions
+//! of, polygons and single references, go straight from the cell to the bytes and back: gds21's model allocates several
+//! times for each of them and writes number by number through a `dyn Write`, which takes two to three times as long as
+//! gdstk. The rest of gds21's gaps is closed around it:
 //!
 //! | gds21 | here |
 //! |---|---|
@@ -34,8 +35,10 @@ mod options;
 mod outline;
 mod path;
 mod problem;
+mod record;
 mod rest;
 mod scan;
+mod single;
 mod split;
 
 use phidl_core::geom::Point;

@@ -36,7 +36,8 @@ pub(super) fn unique_names(cells: &[Device], top_name: Option<&str>, limit: usiz
     for (place, cell) in others.iter().enumerate() {
         if given[place].is_none() {
             let base = &bases[place];
-            let group: Option<Vec<&Source>> = groups[base.as_str()].iter().map(|other| others[*other].source()).collect();
+            let group: Option<Vec<&Source>> =
+                groups[base.as_str()].iter().map(|other| others[*other].source()).collect();
             let described = cell.source().zip(group).and_then(|(own, all)| by_parameters(base, own, &all));
             let described = described.and_then(|name| names.take(name));
             given[place] = described.or_else(|| Some(names.by_hash(base, cell)));

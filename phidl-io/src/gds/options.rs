@@ -12,7 +12,7 @@ use crate::error::{IoError, Result};
 /// ```
 /// # use phidl_io::gds::GdsOptions;
 /// let fine = GdsOptions { grid: 1e-4, top_name: Some("mask_3".into()), ..Default::default() };
-/// # assert_eq!(fine.max_points, 8190);
+/// # assert_eq!(fine.max_points, 4094);
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct GdsOptions {
@@ -28,7 +28,8 @@ pub struct GdsOptions {
     pub top_name: Option<String>,
     /// The name of the library, as the file states it.
     pub library_name: String,
-    /// The most corners of an outline, from 16 to 8190 (the format's own limit). Those with more are cut.
+    /// The most corners of an outline, from 16 to 8190 (what a record can hold); those with more are cut. It is 4094
+    /// unless told otherwise: longer records make KLayout warn, as the manual has their length as a signed number.
     pub max_points: usize,
     /// How large texts and numbers may be.
     pub limits: GdsLimits,
@@ -43,7 +44,7 @@ impl Default for GdsOptions {
             max_cellname_length: 32,
             top_name: None,
             library_name: "phidl".to_owned(),
-            max_points: MOST_POINTS,
+            max_points: 4094,
             limits: GdsLimits::READERS,
         }
     }

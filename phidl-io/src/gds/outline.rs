@@ -1,4 +1,4 @@
-//! Polygons to BOUNDARY records: the hot path of the writer, and the one kind of element that gds21 does not encode.
+//! Polygons to BOUNDARY records: the hot path of the writer.
 //!
 //! gds21 would want every outline as a vector of its own and write it number by number through a `dyn Write`. Here the
 //! points go from the cell's buffer to the grid to the file's bytes, which is what a mask of millions of them needs.
@@ -9,6 +9,7 @@ use phidl_core::scene::{Device, PolygonView};
 
 use super::limits::Limits;
 use super::options::GdsOptions;
+use super::record::{header, put_property};
 use super::split::{Corner, split};
 use crate::error::{IoError, Item, Result};
 
@@ -127,23 +128,6 @@ fn put_boundary(head: &[u8], corners: &[Corner], properties: &[u8], bytes: &mut 
     bytes.extend_from_slice(&header(GdsRecordType::EndElement, GdsDataType::NoData, 0));
 }
 
-/// PROPATTR and PROPVALUE.
-fn put_property(attribute: u16, text: &str, bytes: &mut Vec<u8>) {
-    bytes.extend_from_slice(&header(GdsRecordType::PropAttr, GdsDataType::I16, 2));
-    bytes.extend_from_slice(&attribute.to_be_bytes());
-    let padded = text.len() + text.len() % 2;
-    let size = u16::try_from(padded).expect("invariant: property texts were measured");
-    bytes.extend_from_slice(&header(GdsRecordType::PropValue, GdsDataType::Str, size));
-    bytes.extend_from_slice(text.as_bytes());
-    bytes.resize(bytes.len() + padded - text.len(), 0);
-}
-
-/// The four bytes in front of a record's content.
-fn header(record: GdsRecordType, data: GdsDataType, size: u16) -> [u8; 4] {
-    let [high, low] = (size + 4).to_be_bytes();
-    [high, low, record as u8, data as u8]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -153,12 +137,5 @@ mod tests {
         assert!(is_collapsed(&[[1, 1], [1, 1], [1, 1]]));
         assert!(is_collapsed(&[[1, 1], [1, 2], [1, 1], [1, 2]]));
         assert!(!is_collapsed(&[[1, 1], [1, 2], [2, 2]]));
-    }
-
-    #[test]
-    fn texts_of_odd_length_are_filled_up() {
-        let mut bytes = Vec::new();
-        put_property(1, "abc", &mut bytes);
-        assert_eq!(bytes, [0, 6, 0x2b, 2, 0, 1, 0, 8, 0x2c, 6, b'a', b'b', b'c', 0]);
     }
 }

@@ -133,12 +133,7 @@ mod tests {
         let circle = std::f64::consts::PI * 0.25 * 0.25;
         let round = area(End::Round { tolerance: 1e-6 });
         assert!((round - 5.0 - circle).abs() < 1e-5, "{round}");
-        let ends = Centerline {
-            points: points(&line),
-            width: 2.0,
-            begin: End::Extended(1.0),
-            end: End::Extended(3.0),
-        };
+        let ends = Centerline { points: points(&line), width: 2.0, begin: End::Extended(1.0), end: End::Extended(3.0) };
         assert_eq!(ends.outline().unwrap(), points(&[(-1., 1.), (-1., -1.), (13., -1.), (13., 1.)]));
     }
 

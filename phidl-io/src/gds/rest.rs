@@ -1,25 +1,26 @@
-//! The elements that gds21 decodes: boxes, paths, texts, references and arrays.
+//! The elements that gds21 decodes: boxes, paths, texts and arrays.
 //!
 //! They are collected in portions and handed to gds21 as a library of one cell, since it reads nothing smaller. On the
 //! way there, texts are made readable for it. If it refuses a portion, the guilty element is searched for by halves, as
 //! its errors mostly do not say where.
 
+use gds21::GdsTextElem;
 use gds21::{GdsArrayRef, GdsBox, GdsElement, GdsError, GdsLibrary, GdsPath, GdsPoint, GdsProperty, GdsStrans};
-use gds21::{GdsStructRef, GdsTextElem};
 use phidl_core::geom::{Point, Transform};
 use phidl_core::layer::Layer;
-use phidl_core::num::{angle, grid::Grid};
+use phidl_core::num::grid::Grid;
 use phidl_core::scene::{Array, Label, Polygon, Properties};
 
 use super::elements::anchor;
-use super::frame::Frame;
+use super::frame::{END_CELL, Frame};
 use super::options::GdsDate;
 use super::path::{Centerline, End};
 use super::problem::ProblemKind;
 use super::scan::{Fault, Record, Records, kind};
+use super::single::{self, Placement};
 
 /// Portions are decoded when they have grown to this many bytes.
-const PORTION: usize = 1 << 22;
+const PORTION: usize = 1 << 18;
 
 /// The data type of texts.
 const TEXT: u8 = gds21::GdsDataType::Str as u8;
@@ -40,15 +41,6 @@ pub(super) enum Element {
     Polygon(Polygon),
     Label(Label),
     Reference(Placement),
-}
-
-/// A reference to a cell that is known by name so far.
-pub(super) struct Placement {
-    pub(super) child: String,
-    pub(super) transform: Transform,
-    pub(super) array: Option<Array>,
-    pub(super) properties: Properties,
-    pub(super) offset: usize,
 }
 
 /// A portion of elements.
@@ -129,8 +121,8 @@ impl Rest {
     }
 
     fn parse(&self, elements: &[u8]) -> Result<Vec<GdsElement>, GdsError> {
-        let (head, tail) = self.frame.cell("rest", Vec::new())?;
-        let library = [&self.frame.head[..], &head, elements, &tail, &self.frame.tail].concat();
+        let begin = self.frame.cell("rest")?;
+        let library = [&self.frame.head[..], &begin, elements, &END_CELL, &self.frame.tail].concat();
         let mut library = GdsLibrary::from_bytes(&library)?;
         Ok(library.structs.pop().map(|cell| cell.elems).unwrap_or_default())
     }
@@ -185,10 +177,9 @@ impl Convert<'_> {
             GdsElement::GdsBox(e) => Some(Element::Polygon(self.box_element(&e))),
             GdsElement::GdsPath(e) => self.path(&e).map(Element::Polygon),
             GdsElement::GdsTextElem(e) => Some(Element::Label(self.label(e)?)),
-            GdsElement::GdsStructRef(e) => Some(Element::Reference(self.single(e)?)),
             GdsElement::GdsArrayRef(e) => Some(Element::Reference(self.array(e)?)),
-            // Neither is ever collected.
-            GdsElement::GdsBoundary(_) | GdsElement::GdsNode(_) => None,
+            // None of these is ever collected.
+            GdsElement::GdsBoundary(_) | GdsElement::GdsStructRef(_) | GdsElement::GdsNode(_) => None,
         })
     }
 
@@ -238,16 +229,6 @@ impl Convert<'_> {
         Ok(label)
     }
 
-    fn single(&mut self, element: GdsStructRef) -> Result<Placement, Fault> {
-        Ok(Placement {
-            transform: self.transform(element.strans.as_ref(), &element.xy)?,
-            child: trimmed(element.name),
-            array: None,
-            properties: properties(&element.properties),
-            offset: self.offset,
-        })
-    }
-
     fn array(&mut self, element: GdsArrayRef) -> Result<Placement, Fault> {
         let count = |count: i16| u32::try_from(count).ok().filter(|count| *count > 0);
         let Some((columns, rows)) = count(element.cols).zip(count(element.rows)) else {
@@ -275,12 +256,7 @@ impl Convert<'_> {
         if strans.abs_mag || strans.abs_angle {
             self.problems.push(ProblemKind::Absolute);
         }
-        let magnification = strans.mag.unwrap_or(1.0);
-        if magnification.is_nan() || magnification <= 0.0 {
-            return Err(Fault::new(self.offset, format!("a magnification of {magnification}")));
-        }
-        let rotation = angle::normalized(strans.angle.unwrap_or(0.0));
-        Ok(Transform { x_reflection: strans.reflected, magnification, rotation, origin })
+        single::transform(strans.reflected, strans.mag, strans.angle, origin, self.offset)
     }
 
     fn point(&self, point: &GdsPoint) -> Point {

@@ -5,6 +5,8 @@
 
 use gds21::GdsRecordType;
 
+use super::problem::ProblemKind;
+
 /// A place in the file where its format is broken.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Fault {
@@ -48,6 +50,10 @@ pub(super) mod kind {
     pub(in crate::gds) const DATATYPE: u8 = T::DataType as u8;
     pub(in crate::gds) const XY: u8 = T::Xy as u8;
     pub(in crate::gds) const ENDEL: u8 = T::EndElement as u8;
+    pub(in crate::gds) const SNAME: u8 = T::StructRefName as u8;
+    pub(in crate::gds) const STRANS: u8 = T::Strans as u8;
+    pub(in crate::gds) const MAG: u8 = T::Mag as u8;
+    pub(in crate::gds) const ANGLE: u8 = T::Angle as u8;
     pub(in crate::gds) const NODE: u8 = T::Node as u8;
     pub(in crate::gds) const ELFLAGS: u8 = T::ElemFlags as u8;
     pub(in crate::gds) const PLEX: u8 = T::Plex as u8;
@@ -119,6 +125,24 @@ impl<'a> Records<'a> {
         };
         self.offset += length;
         Ok(Record { offset, kind, whole })
+    }
+
+    /// Attribute and text of a property, of which the attribute's record was taken already.
+    pub(super) fn property(
+        &mut self,
+        attribute: &Record<'_>,
+        mut problem: impl FnMut(usize, ProblemKind),
+    ) -> Result<(u16, String), Fault> {
+        let number = attribute.number()?;
+        let value = self.next()?;
+        if value.kind != kind::PROPVALUE {
+            return Err(Fault::new(value.offset, "a property without a value"));
+        }
+        let (text, latin1) = value.text();
+        if latin1 {
+            problem(value.offset, ProblemKind::Latin1);
+        }
+        Ok((number, text))
     }
 }
 

@@ -1,102 +1,132 @@
-//! [`describe`]: a device as a flat list of what can be seen of it, to compare devices by.
+//! The described device: what a cell comes down to, in the form of the reference results.
 
-use std::collections::BTreeMap;
-
-use phidl_core::geom::{Point, Rect};
-use phidl_core::layer::Layer;
+use indexmap::IndexMap;
+use phidl_core::geom::Rect;
 use phidl_core::place::Bounded;
 use phidl_core::port::Port;
-use phidl_core::scene::Device;
-use serde_json::{Map, Value as Json, json as object};
+use phidl_core::scene::{Device, FlatPolygon};
+use serde_json::{Map, Value, json};
 
-use super::json;
+use super::value::{map, point};
 
-/// Points are written to this part of a micrometer, as reference results are.
-const PARTS: f64 = 1e7;
-/// Precision of the geometry hash (µm), as reference results have it.
+/// Points are listed if there are not more of them than this in the whole device.
+const MOST_LISTED: usize = 20_000;
+
+/// The precision at which reference results are hashed (µm).
 const HASH_PRECISION: f64 = 1e-4;
 
-/// What can be seen of a device: box, flattened polygons by layer, ports, info and geometry hash.
+/// Describes a device: its box, what is drawn on each layer (all levels, in order of first appearance), ports, info and
+/// the geometry hash at 1e-4 µm.
 ///
-/// ```text
-/// {"bbox": [[x0, y0], [x1, y1]] or null,
-///  "layers": {"1/0": {"polygons": n, "vertices": n, "area": µm², "points": [[[x, y], …], …]}},
-///  "ports": {name: {"midpoint": [x, y], "width": µm, "orientation": degrees}},
-///  "info": {key: value},
-///  "hash_geometry": hexadecimal}
+/// `points` are listed for up to 20,000 points in all. Merged areas are not part of it: they need a boolean union.
+///
 /// ```
-///
-/// Points are rounded to 1e-7 µm, everything else is exact. `area` is what the layer covers; where polygons overlap,
-/// it counts once.
+/// # use phidl_core::prelude::*;
+/// let mut d = Device::builder("pad");
+/// d.add_polygon([(0, 0), (4, 0), (4, 2), (0, 2)], 1)?;
+/// let described = phidl_io::json::describe(&d.build()?);
+/// assert_eq!(described["bbox"].to_string(), "[[0.0,0.0],[4.0,2.0]]");
+/// assert_eq!(described["layers"]["1/0"]["vertices"], 4);
+/// # Ok::<(), phidl_core::Error>(())
+/// ```
 #[must_use]
-pub fn describe(device: &Device) -> Json {
-    let hash = device.hash_geometry(HASH_PRECISION).expect("invariant: the precision is a positive length");
-    object!({
+pub fn describe(device: &Device) -> Value {
+    let hash = device.hash_geometry(HASH_PRECISION).expect("invariant: the precision is a length");
+    json!({
         "bbox": device.bbox().map(corners),
         "layers": layers(device),
-        "ports": device.ports().map(|port| (port.name().to_owned(), describe_port(port))).collect::<Map<_, _>>(),
-        "info": device.info().iter().map(|(key, value)| (key.clone(), json(value))).collect::<Map<_, _>>(),
+        "ports": device.ports().map(|p| (p.name().to_owned(), port(p))).collect::<Map<_, _>>(),
+        "info": map(device.info()),
         "hash_geometry": hash,
     })
 }
 
-/// Midpoint, width and orientation.
-pub(super) fn describe_port(port: &Port) -> Json {
-    object!({"midpoint": pair(port.midpoint()), "width": port.width(), "orientation": port.orientation()})
+pub(crate) fn corners(rect: Rect) -> Value {
+    [point(rect.min), point(rect.max)].into_iter().collect()
 }
 
-pub(super) fn corners(rect: Rect) -> Json {
-    object!([pair(rect.min), pair(rect.max)])
-}
-
-pub(super) fn pair(point: Point) -> Json {
-    object!([point.x, point.y])
-}
-
-fn layers(device: &Device) -> Map<String, Json> {
-    let mut layers: BTreeMap<Layer, Vec<Vec<Point>>> = BTreeMap::new();
-    for polygon in device.flat_polygons() {
-        layers.entry(polygon.layer.unwrap_or_default()).or_default().push(polygon.points().collect());
+pub(super) fn port(port: &Port) -> Value {
+    let mut described = json!({
+        "midpoint": point(port.midpoint()),
+        "width": port.width(),
+        "orientation": port.orientation(),
+    });
+    if !port.info().is_empty() {
+        described["info"] = map(port.info()).into();
     }
-    layers.iter().map(|(layer, outlines)| (layer.to_string(), describe_layer(outlines))).collect()
+    described
 }
 
-fn describe_layer(outlines: &[Vec<Point>]) -> Json {
-    let round = |p: &Point| object!([(p.x * PARTS).round() / PARTS, (p.y * PARTS).round() / PARTS]);
-    let points: Vec<Vec<Json>> = outlines.iter().map(|outline| outline.iter().map(round).collect()).collect();
-    object!({
-        "polygons": outlines.len(),
-        "vertices": outlines.iter().map(Vec::len).sum::<usize>(),
-        "points": points,
-    })
+#[derive(Default)]
+struct Drawn {
+    polygons: usize,
+    vertices: usize,
+    points: Vec<Value>,
+}
+
+fn layers(device: &Device) -> Map<String, Value> {
+    let listed = device.flat_counts().1 <= MOST_LISTED;
+    let mut layers: IndexMap<String, Drawn> = IndexMap::new();
+    for polygon in device.flat_polygons() {
+        let Some(layer) = polygon.layer else { continue };
+        let drawn = layers.entry(layer.to_string()).or_default();
+        drawn.polygons += 1;
+        drawn.vertices += polygon.len();
+        if listed {
+            drawn.points.push(outline(&polygon));
+        }
+    }
+    let described = layers.into_iter().map(|(layer, drawn)| {
+        let mut described = json!({ "polygons": drawn.polygons, "vertices": drawn.vertices });
+        if listed {
+            described["points"] = drawn.points.into();
+        }
+        (layer, described)
+    });
+    described.collect()
+}
+
+fn outline(polygon: &FlatPolygon<'_>) -> Value {
+    polygon.points().map(point).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use phidl_core::prelude::*;
 
+    /// The case `rectangle-b` of the reference results, drawn by hand; its areas left out.
     #[test]
-    fn a_device_is_described_flat_with_ports_and_info() {
-        let mut d = Device::builder("pad");
-        d.add_polygon([(0, 0), (2, 0), (2, 1), (0, 1)], (3, 1)).unwrap();
-        let pad = d.build().unwrap();
-        let mut d = Device::builder("top");
-        d.add(pad.array(2, 1, (5, 5)));
-        d.add_port("e", ((7.0, 0.5), 1, 0)).unwrap();
-        d.info("length", 0.1);
-        let described = describe(&d.build().unwrap());
-        assert_eq!(described["bbox"], object!([[0.0, 0.0], [7.0, 1.0]]));
-        let layer = &described["layers"]["3/1"];
-        assert_eq!((&layer["polygons"], &layer["vertices"]), (&object!(2), &object!(8)));
-        assert_eq!(layer["points"][1][0], object!([5.0, 0.0]));
-        assert_eq!(described["ports"]["e"], object!({"midpoint": [7.0, 0.5], "width": 1.0, "orientation": 0.0}));
-        assert_eq!(described["info"], object!({"length": 0.1}));
+    fn a_rectangle_is_described_as_in_the_reference_results() {
+        let mut d = Device::builder("rectangle");
+        let corners = [(45.035, 19.261), (45.035, 0.0), (0.0, 0.0), (0.0, 19.261)];
+        d.add_polygon(corners, [(8, 0), (29, 0), (48, 3)]).unwrap();
+        let points = json!([[[45.035, 19.261], [45.035, 0.0], [0.0, 0.0], [0.0, 19.261]]]);
+        let layer = json!({ "polygons": 1, "vertices": 4, "points": points });
+        let expected = json!({
+            "bbox": [[0.0, 0.0], [45.035, 19.261]],
+            "layers": { "8/0": layer, "29/0": layer, "48/3": layer },
+            "ports": {},
+            "info": {},
+            "hash_geometry": "c4e88bd284ec6dd6fb3017411c5e9e0f69c7e8c7",
+        });
+        assert_eq!(describe(&d.build().unwrap()), expected);
     }
 
     #[test]
-    fn an_empty_device_has_no_box() {
-        let described = describe(&Device::builder("nothing").build().unwrap());
-        assert_eq!((&described["bbox"], &described["layers"]), (&Json::Null, &object!({})));
+    fn placed_polygons_ports_and_info_are_described() {
+        let mut d = Device::builder("dot");
+        d.add_polygon([(0, 0), (1, 0), (0, 1)], 1).unwrap();
+        let dot = d.build().unwrap();
+        let mut d = Device::builder("field");
+        d.add(dot.array(2, 2, (10, 10)));
+        d.add_port("e", ((1, 2), 3, 90)).unwrap();
+        d.info("length", 1.5).info("turns", 3);
+        let described = describe(&d.build().unwrap());
+        assert_eq!(described["layers"]["1/0"]["polygons"], 4);
+        assert_eq!(described["layers"]["1/0"]["points"][3][0], json!([10.0, 10.0]));
+        assert_eq!(described["ports"]["e"], json!({"midpoint": [1.0, 2.0], "width": 3.0, "orientation": 90.0}));
+        assert_eq!(described["info"], json!({"length": 1.5, "turns": 3}));
+        let empty = describe(&Device::builder("nothing").build().unwrap());
+        assert_eq!((&empty["bbox"], &empty["layers"]), (&Value::Null, &json!({})));
     }
 }

@@ -1,82 +1,91 @@
-//! [`metadata`]: what every cell of a file is, who drew it, and what it places.
+//! What a mask file does not say: generators, parameters, info and ports of its cells.
 
 use phidl_core::geom::Transform;
 use phidl_core::place::Bounded;
 use phidl_core::scene::{Device, Reference};
-use serde_json::{Map, Value as Json, json as object};
+use serde_json::{Map, Value, json};
 
-use super::describe::{corners, describe_port, pair};
-use super::json;
+use super::describe::{corners, port};
+use super::value::{map, params, point};
 use crate::error::Result;
-use crate::gds::{self, GdsOptions};
+use crate::gds::{CellTable, GdsOptions};
 
-/// Every cell of the file that these options give, by its name in the file: generator and parameters, info, ports, box,
-/// and instances in order. The top cell is `"top"`.
+/// Everything about the cells of a file that the file cannot hold: for each, under its name in the file, the device's
+/// name, generator, parameters, info, box, ports, and what it places where.
 ///
-/// ```text
-/// {"top": name,
-///  "cells": {name: {"device": name in the program,
-///                   "generator": {"name", "module", "version", "params": {…}} or null,
-///                   "info": {…}, "ports": {…}, "bbox": [[x0, y0], [x1, y1]] or null, "polygons": n,
-///                   "instances": [{"cell", "alias", "origin", "rotation", "magnification", "x_reflection", "array"}]}}}
-/// ```
+/// The names are those that [`gds::write`](crate::gds::write()) gives with the same options.
 ///
 /// # Errors
-/// An option that breaks its rule.
-pub fn metadata(top: &Device, options: &GdsOptions) -> Result<Json> {
-    let names = gds::cell_names(top, options)?;
-    let cells: Map<String, Json> =
-        names.cells().map(|(device, name)| (name.to_owned(), cell(device, &|child| names.name_of(child)))).collect();
-    Ok(object!({ "top": names.name_of(top), "cells": cells }))
+/// [`IoError::Option`](crate::IoError::Option) as for writing.
+pub fn metadata(device: &Device, options: &GdsOptions) -> Result<Value> {
+    let table = CellTable::of(device, options)?;
+    let cells: Map<String, Value> = table.iter().map(|(c, name)| (name.to_owned(), cell(c, &table))).collect();
+    Ok(json!({ "top": table.name_of(device), "cells": cells }))
 }
 
-fn cell<'a>(device: &Device, name_of: &impl Fn(&Device) -> &'a str) -> Json {
-    let ports: Map<String, Json> =
-        device.ports().map(|port| (port.name().to_owned(), describe_port(port))).collect();
-    let info: Map<String, Json> = device.info().iter().map(|(key, value)| (key.clone(), json(value))).collect();
-    let alias_of = |reference: &Reference| {
-        device.aliases().find(|(_, named)| std::ptr::eq(*named, reference)).map(|(alias, _)| alias.to_owned())
-    };
-    let instances: Vec<Json> = device
-        .references()
-        .iter()
-        .map(|reference| instance(reference, name_of(reference.device()), alias_of(reference)))
-        .collect();
-    object!({
-        "device": device.name(),
-        "generator": generator(device),
-        "info": info,
-        "ports": ports,
-        "bbox": device.bbox().map(corners),
-        "polygons": device.polygons().len(),
-        "instances": instances,
+fn cell(cell: &Device, table: &CellTable) -> Value {
+    let source = cell.source().map(|source| {
+        json!({
+            "generator": source.generator,
+            "module": source.module,
+            "version": source.version,
+            "params": params(source),
+        })
+    });
+    json!({
+        "name": cell.name(),
+        "source": source,
+        "info": map(cell.info()),
+        "bbox": cell.bbox().map(corners),
+        "ports": cell.ports().map(|p| (p.name().to_owned(), port(p))).collect::<Map<_, _>>(),
+        "instances": cell.references().iter().map(|r| instance(r, table)).collect::<Value>(),
     })
 }
 
-fn generator(device: &Device) -> Json {
-    let Some(source) = device.source() else { return Json::Null };
-    let params: Map<String, Json> =
-        source.params.iter().map(|(name, value)| ((*name).to_owned(), json(value))).collect();
-    object!({"name": source.generator, "module": source.module, "version": source.version, "params": params})
-}
-
-fn instance(reference: &Reference, cell: &str, alias: Option<String>) -> Json {
+fn instance(reference: &Reference, table: &CellTable) -> Value {
     let Transform { x_reflection, magnification, rotation, origin } = *reference.transform();
-    let array = reference.array().map(|array| {
-        object!({
-            "columns": array.columns,
-            "rows": array.rows,
-            "column_step": pair(array.column_step),
-            "row_step": pair(array.row_step),
-        })
-    });
-    object!({
-        "cell": cell,
-        "alias": alias,
-        "origin": pair(origin),
+    let mut placed = json!({
+        "cell": table.name_of(reference.device()),
+        "origin": point(origin),
         "rotation": rotation,
         "magnification": magnification,
         "x_reflection": x_reflection,
-        "array": array,
-    })
+    });
+    if let Some(array) = reference.array() {
+        placed["array"] = json!({
+            "columns": array.columns,
+            "rows": array.rows,
+            "column_step": point(array.column_step),
+            "row_step": point(array.row_step),
+        });
+    }
+    placed
+}
+
+#[cfg(test)]
+mod tests {
+    use phidl_core::place::Place;
+
+    use super::*;
+
+    #[test]
+    fn cells_are_found_under_their_names_in_the_file() {
+        let mut d = Device::builder("a dot");
+        d.add_polygon([(0, 0), (1, 0), (0, 1)], 1).unwrap();
+        d.add_port("e", ((1, 0), 0.5, 0)).unwrap();
+        d.info("length", 0.1);
+        let dot = d.build().unwrap();
+        let mut d = Device::builder("top");
+        d.add(dot.array(3, 2, (5, 6)).rotated(90).moved_by((1, 2)));
+        let top = d.build().unwrap();
+
+        let data = metadata(&top, &GdsOptions { top_name: Some("mask".into()), ..GdsOptions::default() }).unwrap();
+        assert_eq!(data["top"], "mask");
+        assert_eq!(data["cells"]["a_dot"]["name"], "a dot");
+        assert_eq!(data["cells"]["a_dot"]["info"]["length"], 0.1);
+        assert_eq!(data["cells"]["a_dot"]["source"], Value::Null);
+        let placed = &data["cells"]["mask"]["instances"][0];
+        assert_eq!((&placed["cell"], &placed["rotation"]), (&json!("a_dot"), &json!(90.0)));
+        assert_eq!(placed["array"]["column_step"], json!([5.0, 0.0]));
+    }
 }

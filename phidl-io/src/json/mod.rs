@@ -1,23 +1,17 @@
-//! JSON out of phidl: the described device, and the metadata of a mask.
+//! Devices as JSON: [`describe`] for comparing, [`metadata`] to lie beside a mask file.
 //!
-//! Both are values of serde_json; whoever wants a file writes [`to_text`] with [`atomic::write`](crate::atomic::write).
+//! Reading is not part of it: a device is built from JSON by its generator, never from its drawing.
 
 mod describe;
 mod metadata;
+mod value;
 
+pub(crate) use describe::corners;
 pub use describe::describe;
 pub use metadata::metadata;
 
-use phidl_core::param::Value;
-use serde_json::Value as Json;
-
-/// The JSON of a value; every float comes back from it with the same bits.
-fn json(value: &Value) -> Json {
-    serde_json::to_value(value).expect("invariant: maps have texts as keys, and finished cells hold finite numbers only")
-}
-
-/// JSON as text, indented, with a newline at the end.
+/// JSON as text for a file: indented, with a newline at the end.
 #[must_use]
-pub fn to_text(json: &Json) -> String {
+pub fn to_text(json: &serde_json::Value) -> String {
     format!("{json:#}\n")
 }

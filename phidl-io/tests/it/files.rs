@@ -42,7 +42,9 @@ fn what_the_format_cannot_say_is_refused_with_cell_and_element() {
     let text = cell(|d| {
         d.add_label("5 µm", (0, 0), 1);
     });
-    assert!(matches!(write(&text, &GdsOptions::default()), IoError::Refused { item, .. } if matches!(*item, Item::Label { index: 0, .. })));
+    assert!(
+        matches!(write(&text, &GdsOptions::default()), IoError::Refused { item, .. } if matches!(*item, Item::Label { index: 0, .. }))
+    );
     let layer = cell(|d| {
         d.add_polygon([(0, 0), (1, 0), (0, 1)], 300).unwrap();
     });
@@ -58,7 +60,9 @@ fn what_the_format_cannot_say_is_refused_with_cell_and_element() {
     let far = cell(|d| {
         d.add(triangle("a").place().moved_by((1e9, 0)));
     });
-    assert!(matches!(write(&far, &GdsOptions::default()), IoError::OutOfRange { item, .. } if matches!(*item, Item::Reference { .. })));
+    assert!(
+        matches!(write(&far, &GdsOptions::default()), IoError::OutOfRange { item, .. } if matches!(*item, Item::Reference { .. }))
+    );
 }
 
 #[test]
@@ -93,7 +97,9 @@ fn any_cell_of_a_file_can_be_read_by_name() {
     let read = |name: &str| gds::read_bytes(&bytes, &ReadOptions { cellname: Some(name.into()) });
     assert_eq!(read("a").unwrap().device.name(), "a");
     match read("b") {
-        Err(IoError::UnknownCell { name, cells, .. }) => assert_eq!((&*name, cells), ("b", vec!["a".into(), "chip".into()])),
+        Err(IoError::UnknownCell { name, cells, .. }) => {
+            assert_eq!((&*name, cells), ("b", vec!["a".into(), "chip".into()]))
+        }
         other => panic!("{other:?}"),
     }
 }

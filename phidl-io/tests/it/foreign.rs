@@ -15,7 +15,7 @@ fn number(kind: u8, number: i16) -> Vec<u8> {
 }
 
 fn text(kind: u8, text: &[u8]) -> Vec<u8> {
-    let padding: &[u8] = if text.len() % 2 == 0 { &[] } else { &[0] };
+    let padding: &[u8] = if text.len().is_multiple_of(2) { &[] } else { &[0] };
     record(kind, 6, &[text, padding].concat())
 }
 
@@ -43,7 +43,8 @@ fn cell(name: &str, elements: &[Vec<u8>]) -> Vec<u8> {
 
 fn library(cells: &[Vec<u8>]) -> Vec<u8> {
     let units = [0x3e, 0x41, 0x89, 0x37, 0x4b, 0xc6, 0xa7, 0xf0, 0x39, 0x44, 0xb8, 0x2f, 0xa0, 0x9b, 0x5a, 0x54];
-    let head = [number(0, 600), record(0x01, 2, &[0; 24]), text(0x1f, b"other"), text(0x02, b"lib"), record(3, 5, &units)];
+    let head =
+        [number(0, 600), record(0x01, 2, &[0; 24]), text(0x1f, b"other"), text(0x02, b"lib"), record(3, 5, &units)];
     [head.concat(), cells.concat(), record(0x04, 0, &[])].concat()
 }
 
@@ -175,14 +176,28 @@ fn cells_nested_without_end_are_refused() {
 }
 
 #[test]
+fn a_reference_without_a_place_or_with_a_senseless_size_is_an_error() {
+    let magnified = |bytes: [u8; 8]| {
+        let records = [text(0x12, b"a"), record(0x1a, 1, &[0, 0]), record(0x1b, 5, &bytes), xy(&[(0, 0)])];
+        refused(&[cell("a", &[]), cell("b", &[element(0x0a, &records)])])
+    };
+    assert!(matches!(magnified([0; 8]), IoError::Malformed { problem, .. } if problem.contains("magnification of 0")));
+    assert!(matches!(magnified([0xc1, 0x10, 0, 0, 0, 0, 0, 0]), IoError::Malformed { .. }));
+    let nowhere = refused(&[cell("a", &[]), cell("b", &[element(0x0a, &[text(0x12, b"a")])])]);
+    assert!(matches!(nowhere, IoError::Malformed { cell: Some(cell), .. } if &*cell == "b"));
+}
+
+#[test]
 fn a_broken_element_is_found_among_good_ones() {
-    let bad = element(0x0a, &[text(0x12, b"a"), xy(&[(0, 0), (1, 1)])]);
+    let label =
+        |places: &[(i32, i32)]| element(0x0c, &[number(0x0d, 1), number(0x16, 0), xy(places), text(0x19, b"label")]);
+    let (good, bad) = (label(&[(0, 0)]), label(&[(0, 0), (1, 1)]));
     let start = library(&[]).len() - 4;
     let before = [cell("a", &[]), cell("b", &[sref("a"), sref("a")])].concat();
-    let bad_cell = cell("bad", &[sref("a"), bad.clone(), sref("a")]);
+    let bad_cell = cell("bad", &[good.clone(), sref("a"), bad, good.clone()]);
     match refused(&[before.clone(), bad_cell]) {
         IoError::Malformed { offset, cell, .. } => {
-            let in_cell = 28 + 4 + 4 + sref("a").len();
+            let in_cell = 28 + 4 + 4 + good.len() + sref("a").len();
             assert_eq!((offset, cell.as_deref()), (start + before.len() + in_cell, Some("bad")));
         }
         other => panic!("{other}"),

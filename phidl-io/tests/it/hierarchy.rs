@@ -49,11 +49,13 @@ fn transform() -> impl Strategy<Value = Transform> {
 fn label() -> impl Strategy<Value = Label> {
     let anchors = [Anchor::NorthWest, Anchor::North, Anchor::East, Anchor::Center, Anchor::SouthEast, Anchor::West];
     let anchor = prop::sample::select(anchors.to_vec());
-    ("[ -~]{0,20}", transform(), layer(), anchor, properties()).prop_map(|(text, transform, layer, anchor, properties)| {
-        let mut label = Label::new(text, (0, 0), layer).anchored(anchor).with_transform(transform);
-        label.properties = properties;
-        label
-    })
+    ("[ -~]{0,20}", transform(), layer(), anchor, properties()).prop_map(
+        |(text, transform, layer, anchor, properties)| {
+            let mut label = Label::new(text, (0, 0), layer).anchored(anchor).with_transform(transform);
+            label.properties = properties;
+            label
+        },
+    )
 }
 
 /// A cell of its own, with something in it that no other cell has.
@@ -80,8 +82,7 @@ fn placement(cells: Vec<Device>) -> impl Strategy<Value = Reference> {
             None => Reference::new(cell, transform),
             Some((columns, rows, dx, dy)) => {
                 let rotation = (transform.rotation / 90.0).floor() * 90.0;
-                let lattice =
-                    Array { columns, rows, column_step: Point::new(dx, 0.0), row_step: Point::new(0.0, dy) };
+                let lattice = Array { columns, rows, column_step: Point::new(dx, 0.0), row_step: Point::new(0.0, dy) };
                 Reference::new(cell, Transform { rotation, ..transform }).with_array(lattice)
             }
         };

@@ -15,7 +15,7 @@ pub(super) fn attributes(docs: &[Expr]) -> TokenStream {
 /// Documentation as one text, for the registry. Lines may be macros, such as `include_str!`.
 pub(super) fn text(docs: &[Expr]) -> TokenStream {
     match literal(docs) {
-        Some(text) => text.trim().to_token_stream(),
+        Some(text) => text.to_token_stream(),
         None => quote!(::core::concat!(#(#docs, "\n"),*)),
     }
 }
@@ -28,9 +28,14 @@ fn literal(docs: &[Expr]) -> Option<String> {
     Some(docs.iter().map(line).collect::<Option<Vec<_>>>()?.join("\n"))
 }
 
-/// The list of parameters that is appended to the documentation of the function.
-pub(super) fn parameter_list(generator: &Generator) -> String {
-    let mut list = format!("\n# Parameters\nAs fields with defaults: [`{}`].\n", generator.struct_name);
+/// The list of parameters that is appended to the documentation of the function, unless the user wrote one.
+pub(super) fn parameter_list(generator: &Generator) -> Option<String> {
+    let heading = "\n# Parameters\n";
+    let written = literal(&generator.attributes.docs).is_some_and(|text| format!("\n{text}").contains(heading));
+    if generator.params.is_empty() || written {
+        return None;
+    }
+    let mut list = format!("{heading}They are the fields of [`{}`].\n", generator.struct_name);
     for param in &generator.params {
         let text = literal(&param.docs).unwrap_or_default();
         let text = text.split("\n\n").next().unwrap_or_default().trim().replace('\n', " ");
@@ -38,7 +43,7 @@ pub(super) fn parameter_list(generator: &Generator) -> String {
         let place = if param.named.is_some() { " (a field only)" } else { "" };
         list += &format!("- `{}`{place}{separator}{text}{}\n", param.name, in_brackets(&notes(param)));
     }
-    list
+    Some(list)
 }
 
 /// What is appended to the documentation of a field.

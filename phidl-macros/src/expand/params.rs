@@ -7,6 +7,7 @@ use syn::spanned::Spanned;
 
 use super::docs;
 use crate::model::{Generator, Parameter};
+use crate::widen::Widen;
 
 /// Names that mean something else on a parameter struct: such a parameter has a field, but no setter.
 const TAKEN: [&str; 11] =
@@ -67,14 +68,11 @@ fn declare(generator: &Generator) -> TokenStream {
 /// `Default` if every parameter has one, otherwise `new` with those that have none.
 fn constructor(generator: &Generator) -> TokenStream {
     let (cfgs, struct_name, visibility) = (&generator.attributes.cfgs, &generator.struct_name, &generator.visibility);
-    let fields = generator.params.iter().map(|param| {
-        let (name, default) = (&param.name, default_name(param));
-        match &param.default {
-            Some(_) => quote!(#name: Self::#default()),
-            None => {
-                let value = param.widen.convert(quote!(#name));
-                quote!(#name: #value)
-            }
+    let fields = generator.params.iter().map(|param| match &param.default {
+        None => field_from_argument(param),
+        Some(_) => {
+            let (name, default) = (&param.name, default_name(param));
+            quote!(#name: Self::#default())
         }
     });
     if generator.required().next().is_none() {
@@ -134,4 +132,16 @@ fn default(param: &Parameter) -> Option<TokenStream> {
 
 pub(super) fn default_name(param: &Parameter) -> Ident {
     format_ident!("__default_{}", param.name.unraw())
+}
+
+/// The field in the making of a struct, from an argument of the same name.
+pub(super) fn field_from_argument(param: &Parameter) -> TokenStream {
+    let name = &param.name;
+    match param.widen {
+        Widen::Plain => quote!(#name),
+        _ => {
+            let value = param.widen.convert(quote!(#name));
+            quote!(#name: #value)
+        }
+    }
 }

@@ -70,7 +70,12 @@ fn default(said: &mut OfParameter, attribute: &Attribute, problems: &mut Problem
         problems.at(attribute, "the default is given twice");
     }
     match &attribute.meta {
-        Meta::List(list) if !list.tokens.is_empty() => said.default = problems.keep(attribute.parse_args()),
+        Meta::List(list) if !list.tokens.is_empty() => {
+            let expression = attribute.parse_args();
+            let expression =
+                expression.map_err(|e| syn::Error::new(e.span(), format_args!("a default is one expression: {e}")));
+            said.default = problems.keep(expression);
+        }
         other => problems.at(other, "a default stands in parentheses: `#[default(10.0)]`"),
     }
 }

@@ -33,13 +33,15 @@ impl Parse for Function {
 impl Function {
     /// The function without the attributes that only `#[device]` understands, so that editors still know it.
     pub(crate) fn plain(mut self) -> TokenStream {
+        self.signature.constness = None; // refused already; the body would only be refused once more
         for input in &mut self.signature.inputs {
             if let FnArg::Typed(typed) = input {
                 typed.attrs.clear();
             }
         }
         let Self { attributes, visibility, signature, body } = self;
-        quote::quote!(#(#attributes)* #visibility #signature #body)
+        // What the parser threw away with the mistakes is not to be reported as unused.
+        quote::quote!(#(#attributes)* #[allow(unused, reason = "there are mistakes above")] #visibility #signature #body)
     }
 }
 

@@ -6,9 +6,10 @@ use phidl_core::prelude::*;
 use phidl_macros::device;
 use rayon::prelude::*;
 
-/// A body with a parallel loop in it, as a boolean has.
+/// A body with a parallel loop in it, as a boolean has. In the middle of it, its worker takes up another job.
 #[device]
 fn hub(round: i64) -> Result<Device> {
+    rayon::yield_now();
     let work: i32 =
         (0..64_i32).into_par_iter().with_max_len(1).map(|i| (0..2000).map(|k| (i * k) % 7).sum::<i32>()).sum();
     Device::builder(format!("hub_{}", i64::from(work) + round)).build()
@@ -22,20 +23,21 @@ fn spoke(round: i64, number: i32) -> Result<Device> {
     d.build()
 }
 
+fn spokes(threads: usize, round: i64) -> Vec<Device> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+    let spoke = |number| spoke(round, number).unwrap();
+    pool.install(|| (0..64_i32).into_par_iter().with_max_len(1).map(spoke).collect())
+}
+
 #[test]
 fn workers_that_take_up_each_others_jobs_neither_hang_nor_see_circles() {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(4).build().unwrap();
-    for round in 0..20 {
-        let spokes: Vec<Device> = pool.install(|| {
-            (0..64_i32)
-                .into_par_iter()
-                .with_max_len(1)
-                .map(|number| spoke(round, number))
-                .collect::<Result<_>>()
-                .unwrap()
-        });
+    for (round, threads) in [1, 4].repeat(5).into_iter().enumerate() {
+        let round = i64::try_from(round).unwrap();
+        let hub_of = |spoke: &Device| spoke.references()[0].device().clone();
         let hub = hub(round).unwrap();
-        assert!(spokes.iter().all(|spoke| spoke.references()[0].device() == &hub));
+        assert!(spokes(threads, round).iter().all(|spoke| hub_of(spoke).same_cell(&hub)), "it is there already");
+        let fresh = spokes(threads, round + 1000);
+        assert!(fresh.iter().all(|spoke| hub_of(spoke).same_cell(&hub_of(&fresh[0]))), "the first one is kept");
     }
 }
 

@@ -135,6 +135,19 @@ fn the_finished_cell_knows_its_generator_and_every_parameter() {
     assert_eq!(source.params[0].1, Value::from("source"));
 }
 
+/// Draws nothing,
+#[doc = concat!("in ", "two lines.")]
+#[device]
+fn documented_by_macro() -> Result<Device> {
+    Device::builder("documented_by_macro").build()
+}
+
+#[test]
+fn documentation_may_come_out_of_a_macro() {
+    documented_by_macro().unwrap();
+    assert_eq!(registry::find("documented_by_macro").unwrap().docs, "Draws nothing,\nin two lines.");
+}
+
 mod a {
     use super::*;
 

@@ -21,19 +21,19 @@ pub(crate) fn demo_chip(
     let mut d = Device::builder("demo_chip");
     let frame = d.add_as("frame", die_frame(side, 50)?);
 
-    let radii: Vec<f64> = linspace(10.0, 43.0, 12).collect();
+    let radii: Vec<f64> = linspace(20.0, 130.0, 12).collect();
     let gaps: Vec<f64> = (0..20).map(|i| f64::from(10 + i) / 100.0).collect();
-    let rings = d.add_as("rings", ring_sweep(radii, gaps, (700, 310))?);
+    let rings = d.add_as("rings", ring_sweep(radii, gaps, (750, 315))?);
     let wires = d.add_as("nanowires", nanowire_row([0.06, 0.08, 0.1, 0.12, 0.15, 0.2, 0.3, 0.5])?);
     let dose = d.add_as("dose", dose_test([1, 2, 4, 8], 40)?);
-    let pads = d.add_as("pads", pg::compass((100, 100), PAD)?.array(40, 2, (150, 150)));
+    let pads = d.add_as("pads", pg::compass((150, 150), PAD)?.array(40, 2, (225, 225)));
 
     // Relations instead of arithmetic: everything stands on what lies below it.
-    d[pads].set_x(0).set_ymin(-4500);
+    d[pads].set_x(0).set_ymin(-4800);
     let below = d[pads].ymax();
-    d[wires].set_x(0).set_ymin(below + 300.0);
+    d[wires].set_x(0).set_ymin(below + 200.0);
     let below = d[wires].ymax();
-    d[rings].set_x(0).set_ymin(below + 300.0);
+    d[rings].set_x(0).set_ymin(below + 200.0);
     let below = d[rings].ymax();
     d[dose].set_x(0).set_ymin(below + 200.0);
 

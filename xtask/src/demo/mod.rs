@@ -11,3 +11,5 @@ mod rings;
 
 pub(crate) use chip::demo_chip;
 pub(crate) use layers::layer_set;
+#[cfg(test)]
+pub(crate) use rings::ring_filter;

@@ -88,9 +88,9 @@ pub(crate) fn ring_sweep(
     for (column, radius) in radii.iter().enumerate() {
         for (row, gap) in gaps.iter().enumerate() {
             let corner = Point::new(pitch.width * column as f64, pitch.height * row as f64);
-            let mut filter = ring_filter(*radius, *gap, 0.5, 120, 60, 3, WAVEGUIDE)?.place();
+            let mut filter = ring_filter(*radius, *gap, 1, 400, 100, 8, WAVEGUIDE)?.place();
             filter.set_xmin(corner.x).set_ymin(corner.y);
-            d.add_label(format!("R{radius} G{gap}"), (filter.x(), filter.ymin() - 10.0), NAME);
+            d.add_label(format!("R{radius} G{gap}"), (filter.x(), filter.ymin() - 18.0), NAME);
             d.add(filter);
         }
     }

@@ -1,0 +1,100 @@
+//! Booleans and offsets on seeded scenes, on one thread and on two; throughput is in vertices of the input.
+//!
+//! `confetti` is the crowded case: rectangles, discs and stars, turned at random, at constant density. `confetti/10000`
+//! has 0.52 million vertices in two layers. `strips` compares the sizes of strips, `shapes apart` is a layer in which
+//! nothing touches.
+
+mod support;
+
+use std::hint::black_box;
+
+use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use phidl_boolean::{Contours, OffsetOptions, Operation, RunOptions, boolean, offset};
+use support::{apart, confetti};
+
+const THREADS: [usize; 2] = [1, 2];
+
+fn on(threads: usize) -> RunOptions<'static> {
+    RunOptions { threads: Some(threads), ..RunOptions::default() }
+}
+
+fn vertices(a: &Contours, b: &Contours) -> Throughput {
+    Throughput::Elements((a.point_count() + b.point_count()) as u64)
+}
+
+fn operations(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("confetti");
+    group.sample_size(10);
+    for n in [1_000, 10_000, 100_000] {
+        let (a, b) = (confetti(n, 1), confetti(n, 2));
+        group.throughput(vertices(&a, &b));
+        for threads in THREADS {
+            for operation in [Operation::Or, Operation::And, Operation::Xor] {
+                let id = BenchmarkId::new(format!("{operation:?}, {threads} threads"), n);
+                group.bench_function(id, |bench| bench.iter(|| boolean(black_box(&a), &b, operation, &on(threads))));
+            }
+        }
+    }
+    group.finish();
+}
+
+fn offsets(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("offset");
+    group.sample_size(10);
+    let mut scene = confetti(10_000, 1);
+    scene.append(&confetti(10_000, 2));
+    group.throughput(vertices(&scene, &Contours::new()));
+    for (name, distance) in [("+0.5 µm", 5_000.0), ("-0.3 µm", -3_000.0)] {
+        for threads in THREADS {
+            let id = BenchmarkId::new(name, format!("{threads} threads"));
+            let options = OffsetOptions::default();
+            group
+                .bench_function(id, |bench| bench.iter(|| offset(black_box(&scene), distance, &options, &on(threads))));
+        }
+    }
+    group.finish();
+}
+
+fn strips(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("strips");
+    group.sample_size(10);
+    let (a, b) = (confetti(10_000, 1), confetti(10_000, 2));
+    group.throughput(vertices(&a, &b));
+    for strip_vertices in [1_000, 2_000, 4_000, 8_000, 16_000, usize::MAX] {
+        let options = RunOptions { strip_vertices, ..on(2) };
+        let id = BenchmarkId::from_parameter(strip_vertices);
+        group.bench_function(id, |bench| bench.iter(|| boolean(black_box(&a), &b, Operation::Or, &options)));
+    }
+    group.finish();
+}
+
+fn files(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("outlines for files");
+    group.sample_size(10);
+    let (a, b) = (confetti(3_000, 1), confetti(3_000, 2));
+    group.throughput(vertices(&a, &b));
+    for operation in [Operation::Or, Operation::And] {
+        let region = boolean(&a, &b, operation, &RunOptions::default()).expect("the scene is in range");
+        let id = BenchmarkId::new("without holes", format!("{operation:?}"));
+        group.bench_function(id, |bench| bench.iter(|| black_box(&region).without_holes()));
+    }
+    group.finish();
+}
+
+fn shapes_apart(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("shapes apart");
+    group.sample_size(10);
+    let scene = apart(100_000);
+    group.throughput(vertices(&scene, &Contours::new()));
+    for threads in THREADS {
+        let id = BenchmarkId::from_parameter(format!("{threads} threads"));
+        let nothing = Contours::new();
+        group.bench_function(id, |bench| {
+            bench.iter(|| boolean(black_box(&scene), &nothing, Operation::Or, &on(threads)))
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, operations, offsets, strips, files, shapes_apart);
+criterion_main!(benches);

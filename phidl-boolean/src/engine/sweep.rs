@@ -1,0 +1,266 @@
+//! The sweep over one strip: what lies on either side of each piece, and which boundary edge follows which.
+//!
+//! After snapping, pieces meet only at their ends, so the sweep has no geometry to invent: it keeps the list of pieces
+//! over the present grid point, from bottom to top, and adds up their windings. Below all pieces there is nothing,
+//! which is why a strip needs no help from its neighbors.
+
+use std::{cmp::Ordering, ops::Range};
+
+use super::{
+    Rule,
+    active::{Active, Place},
+    edge::Edge,
+    span::{Spans, merge_coinciding},
+};
+use crate::point::{GridPoint, side};
+
+/// Names a boundary edge: its number in the strip, or [`SPAN`] with the number of a piece that reaches over a seam.
+pub(super) type Name = u32;
+
+/// Marks the [`Name`] of a piece that belongs to another strip.
+pub(super) const SPAN: Name = 1 << 31;
+
+/// What one strip found out.
+#[derive(Debug, Default)]
+pub(super) struct Swept {
+    /// Where each boundary edge of this strip starts, with the covered side on its left. Edges are numbered by their
+    /// left end, from left to right and upward.
+    pub(super) from: Vec<GridPoint>,
+    /// Pairs of boundary edges: the second follows the first.
+    pub(super) follows: Vec<(Name, Name)>,
+    /// Boundary edges at the left end of a gap, and the boundary edge right below that end.
+    pub(super) below: Vec<(Name, Name)>,
+    /// Boundary edges of this strip that reach over a seam: number of the piece, number of the edge.
+    pub(super) spans: Vec<(u32, Name)>,
+}
+
+/// Which side of a piece is covered, if not both or neither.
+#[derive(Clone, Copy, PartialEq)]
+enum Boundary {
+    None,
+    CoveredAbove,
+    CoveredBelow,
+}
+
+/// What the sweep knows about a piece after its left end has been passed.
+#[derive(Clone, Copy)]
+struct Known {
+    above: [i32; 2],
+    boundary: Boundary,
+    name: Name,
+}
+
+/// Sweeps one strip, whose last grid column is `last`.
+pub(super) fn sweep_strip(mut pieces: Vec<Edge>, spans: &Spans, strip: usize, last: i64, rule: Rule) -> Swept {
+    pieces.extend_from_slice(spans.owned(strip));
+    pieces.sort_unstable_by(left_then_upward);
+    merge_coinciding(&mut pieces);
+    let own = pieces.len();
+    let mut entering: Vec<u32> = spans.entering(strip).to_vec();
+    entering.sort_unstable_by(|&a, &b| upward_at_seam(&spans.piece(a), &spans.piece(b)));
+    pieces.extend(entering.iter().map(|&number| spans.piece(number)));
+
+    let mut sweep = Sweep::new(rule, spans, &pieces, last);
+    sweep.enter(own, &entering);
+    sweep.run(own);
+    sweep.swept
+}
+
+/// The boundary pieces of what one operand covers, with windings that count it once.
+pub(super) fn boundary(mut pieces: Vec<Edge>, operand: usize, rule: Rule) -> Vec<Edge> {
+    pieces.sort_unstable_by(left_then_upward);
+    merge_coinciding(&mut pieces);
+    let spans = Spans::default();
+    let mut sweep = Sweep::new(rule, &spans, &pieces, i64::MAX);
+    sweep.run(pieces.len());
+    let once = |(piece, known): (&Edge, &Known)| {
+        let mut delta = [0, 0];
+        delta[operand] = match known.boundary {
+            Boundary::None => return None,
+            Boundary::CoveredAbove => 1,
+            Boundary::CoveredBelow => -1,
+        };
+        Some(Edge { delta, ..*piece })
+    };
+    pieces.iter().zip(&sweep.known).filter_map(once).collect()
+}
+
+struct Sweep<'a> {
+    rule: Rule,
+    spans: &'a Spans,
+    pieces: &'a [Edge],
+    /// Last grid column of the strip.
+    last: i64,
+    known: Vec<Known>,
+    active: Active,
+    /// The boundary edges around the present point, counter-clockwise from straight down; true if it leads away.
+    around: Vec<(Name, bool)>,
+    /// Those of them that end in the present point, from bottom to top.
+    arriving: Vec<(Name, bool)>,
+    swept: Swept,
+}
+
+impl<'a> Sweep<'a> {
+    fn new(rule: Rule, spans: &'a Spans, pieces: &'a [Edge], last: i64) -> Self {
+        let unknown = Known { above: [0, 0], boundary: Boundary::None, name: 0 };
+        let known = vec![unknown; pieces.len()];
+        Self {
+            rule,
+            spans,
+            pieces,
+            last,
+            known,
+            active: Active::new(pieces.len()),
+            around: Vec::new(),
+            arriving: Vec::new(),
+            swept: Swept::default(),
+        }
+    }
+
+    /// Puts the pieces that come over the left seam in place; `pieces[own..]` are those, from bottom to top.
+    fn enter(&mut self, own: usize, numbers: &[u32]) {
+        let mut winding = [0, 0];
+        for (piece, number) in (own..self.pieces.len()).zip(numbers) {
+            winding = self.learn(piece, winding);
+            self.known[piece].name = SPAN | number;
+            self.active.insert(self.active.top(), index(piece)..index(piece + 1));
+        }
+    }
+
+    /// Visits every grid point of the strip at which a piece begins or ends, from left to right and upward.
+    fn run(&mut self, own: usize) {
+        let pieces = self.pieces;
+        let mut ends: Vec<(GridPoint, u32)> = pieces
+            .iter()
+            .zip(0u32..)
+            .filter(|(piece, _)| piece.r.x <= self.last)
+            .map(|(e, piece)| (e.r, piece))
+            .collect();
+        ends.sort_unstable();
+        let (mut next_piece, mut next_end) = (0, 0);
+        loop {
+            let begin = pieces[..own].get(next_piece).map(|piece| piece.l);
+            let end = ends.get(next_end).copied();
+            let at = match (begin, end) {
+                (Some(begin), Some((end, _))) => begin.min(end),
+                (Some(only), None) | (None, Some((only, _))) => only,
+                (None, None) => return,
+            };
+            let first = next_piece;
+            while next_piece < own && pieces[next_piece].l == at {
+                next_piece += 1;
+            }
+            while ends.get(next_end).is_some_and(|&(end, _)| end == at) {
+                next_end += 1;
+            }
+            let ending = end.filter(|&(end, _)| end == at).map(|(_, piece)| piece);
+            self.visit(at, first..next_piece, ending);
+        }
+    }
+
+    /// Replaces the pieces that end at a point, of which one may be known, by those that begin there, from bottom to top.
+    fn visit(&mut self, at: GridPoint, beginning: Range<usize>, ending: Option<u32>) {
+        let place = self.take_ending(at, ending);
+        let mut winding = self.active.below(place).map_or([0, 0], |under| self.known[under as usize].above);
+        self.around.clear();
+        for piece in beginning.clone() {
+            winding = self.learn(piece, winding);
+            self.name(piece);
+            let Known { boundary, name, .. } = self.known[piece];
+            if boundary != Boundary::None {
+                self.around.push((name, boundary == Boundary::CoveredAbove));
+            }
+        }
+        if self.arriving.is_empty() {
+            self.note_gap(place);
+        }
+        self.around.extend(self.arriving.iter().rev());
+        self.link();
+        self.active.insert(place, index(beginning.start)..index(beginning.end));
+    }
+
+    /// Removes the pieces that end at a point, notes which are boundary edges, and returns the place they leave.
+    fn take_ending(&mut self, at: GridPoint, ending: Option<u32>) -> Place {
+        let (pieces, known, arriving) = (self.pieces, &self.known, &mut self.arriving);
+        arriving.clear();
+        let Some(ending) = ending else { return self.active.search(|piece| pieces[piece as usize].cross(at) > 0) };
+        let mut lowest = self.active.place_of(ending);
+        while self.active.below(lowest).is_some_and(|piece| pieces[piece as usize].r == at) {
+            lowest = self.active.step_down(lowest);
+        }
+        self.active.remove_while(lowest, |piece| {
+            let ends = pieces[piece as usize].r == at;
+            let Known { boundary, name, .. } = known[piece as usize];
+            if ends && boundary != Boundary::None {
+                arriving.push((name, boundary == Boundary::CoveredBelow));
+            }
+            ends
+        })
+    }
+
+    /// Each covered wedge between two boundary edges turns from the edge that arrives to the edge that leaves. So parts
+    /// that touch in a point stay apart, and an outline never crosses itself.
+    fn link(&mut self) {
+        for (position, &(name, leaves)) in self.around.iter().enumerate() {
+            if leaves {
+                let (arriving, _) = self.around[(position + 1) % self.around.len()];
+                self.swept.follows.push((arriving, name));
+            }
+        }
+    }
+
+    /// If a gap in a covered area begins at this point, notes which boundary edge is right below.
+    fn note_gap(&mut self, place: Place) {
+        let Some(&(name, false)) = self.around.first() else { return };
+        let mut below = self.active.all_below(place).map(|piece| self.known[piece as usize]);
+        if let Some(known) = below.find(|known| known.boundary != Boundary::None) {
+            self.swept.below.push((name, known.name));
+        }
+    }
+
+    /// Works out the sides of a piece from the winding below it; returns the winding above it.
+    fn learn(&mut self, piece: usize, below: [i32; 2]) -> [i32; 2] {
+        let delta = self.pieces[piece].delta;
+        let above = [below[0] + delta[0], below[1] + delta[1]];
+        let boundary = match (self.rule.covers(below), self.rule.covers(above)) {
+            (false, true) => Boundary::CoveredAbove,
+            (true, false) => Boundary::CoveredBelow,
+            _ => Boundary::None,
+        };
+        self.known[piece].above = above;
+        self.known[piece].boundary = boundary;
+        above
+    }
+
+    /// Numbers a piece that begins in this strip, if it is a boundary edge.
+    fn name(&mut self, piece: usize) {
+        let e = &self.pieces[piece];
+        let from = match self.known[piece].boundary {
+            Boundary::None => return,
+            Boundary::CoveredAbove => e.l,
+            Boundary::CoveredBelow => e.r,
+        };
+        let name = index(self.swept.from.len());
+        self.swept.from.push(from);
+        self.known[piece].name = name;
+        if e.r.x > self.last {
+            self.swept.spans.push((self.spans.number_of(e), name));
+        }
+    }
+}
+
+/// A number of a piece as it is stored.
+#[expect(clippy::cast_possible_truncation, reason = "the number of edges is checked when they are gathered")]
+fn index(piece: usize) -> u32 {
+    piece as u32
+}
+
+/// Order of the left ends, and from bottom to top around a common one.
+fn left_then_upward(a: &Edge, b: &Edge) -> Ordering {
+    a.l.cmp(&b.l).then_with(|| side(a.l, b.r, a.r))
+}
+
+/// Order from bottom to top of pieces that all cross one vertical line and do not cross each other.
+fn upward_at_seam(a: &Edge, b: &Edge) -> Ordering {
+    if a.l >= b.l { side(b.l, b.r, a.l).then_with(|| side(b.l, b.r, a.r)) } else { upward_at_seam(b, a).reverse() }
+}

@@ -1,0 +1,154 @@
+//! From the facts of all strips to outlines: follow the boundary edges, then give each hole to its outline.
+
+use super::sweep::{Name, SPAN, Swept};
+use crate::{
+    contours::Contours,
+    point::{GridPoint, side, signed_area2},
+    region::Region,
+};
+
+const UNKNOWN: u32 = u32::MAX;
+
+/// Draws the region whose boundary edges the strips have found.
+pub(super) fn trace(strips: &[Swept], spans: usize) -> Region {
+    let names = Names::new(strips, spans);
+    let outlines = Outlines::follow(strips, &names);
+    let owners = outlines.owners(strips, &names);
+    outlines.into_region(&owners)
+}
+
+/// Turns the names that the strips use into numbers over all strips.
+struct Names {
+    bases: Vec<u32>,
+    spans: Vec<u32>,
+    total: usize,
+}
+
+impl Names {
+    #[expect(clippy::cast_possible_truncation, reason = "the number of edges is checked when they are gathered")]
+    fn new(strips: &[Swept], spans: usize) -> Self {
+        let mut names = Self { bases: Vec::with_capacity(strips.len()), spans: vec![UNKNOWN; spans], total: 0 };
+        for strip in strips {
+            let base = names.total as u32;
+            names.bases.push(base);
+            names.total += strip.from.len();
+            for &(span, name) in &strip.spans {
+                names.spans[span as usize] = base + name;
+            }
+        }
+        names
+    }
+
+    fn number(&self, strip: usize, name: Name) -> u32 {
+        if name & SPAN == 0 { self.bases[strip] + name } else { self.spans[(name & !SPAN) as usize] }
+    }
+}
+
+/// Closed outlines in the order of their leftmost points, which is where each begins.
+struct Outlines {
+    contours: Contours,
+    /// The number of the first edge of each outline; ascending.
+    first_edges: Vec<u32>,
+    outline_of: Vec<u32>,
+}
+
+impl Outlines {
+    fn follow(strips: &[Swept], names: &Names) -> Self {
+        let mut next = vec![UNKNOWN; names.total];
+        for (strip, swept) in strips.iter().enumerate() {
+            for &(edge, following) in &swept.follows {
+                next[names.number(strip, edge) as usize] = names.number(strip, following);
+            }
+        }
+        let from: Vec<GridPoint> = strips.iter().flat_map(|strip| strip.from.iter().copied()).collect();
+        let mut outlines = Self {
+            contours: Contours::with_capacity(0, names.total),
+            first_edges: Vec::new(),
+            outline_of: vec![UNKNOWN; names.total],
+        };
+        let mut points = Vec::new();
+        for edge in (0u32..).take(names.total) {
+            if outlines.outline_of[edge as usize] == UNKNOWN {
+                outlines.follow_one(edge, &next, &from, &mut points);
+            }
+        }
+        outlines
+    }
+
+    /// The first edge of an outline that we come to touches the leftmost point of it.
+    fn follow_one(&mut self, first: u32, next: &[u32], from: &[GridPoint], points: &mut Vec<GridPoint>) {
+        #[expect(clippy::cast_possible_truncation, reason = "there are fewer outlines than edges")]
+        let number = self.first_edges.len() as u32;
+        points.clear();
+        let after = next[first as usize];
+        let begin = if from[first as usize] < from[after as usize] { first } else { after };
+        let mut edge = begin;
+        loop {
+            self.outline_of[edge as usize] = number;
+            push_corner(points, from[edge as usize]);
+            edge = next[edge as usize];
+            if edge == begin {
+                break;
+            }
+        }
+        close_corners(points);
+        self.first_edges.push(first);
+        self.contours.push(points.iter().copied());
+    }
+
+    /// The outline that owns each outline: itself, or for a hole the one around it.
+    fn owners(&self, strips: &[Swept], names: &Names) -> Vec<u32> {
+        let mut below = vec![UNKNOWN; self.first_edges.len()];
+        for (strip, swept) in strips.iter().enumerate() {
+            for &(edge, under) in &swept.below {
+                let edge = names.number(strip, edge);
+                let outline = self.outline_of[edge as usize] as usize;
+                if self.first_edges[outline] == edge {
+                    below[outline] = self.outline_of[names.number(strip, under) as usize];
+                }
+            }
+        }
+        let mut owners: Vec<u32> = Vec::with_capacity(below.len());
+        for (number, (contour, under)) in (0u32..).zip(self.contours.iter().zip(below)) {
+            // What is below the leftmost point of a hole began further left, so its owner is known.
+            let owner = if signed_area2(contour) < 0 { owners[under as usize] } else { number };
+            owners.push(owner);
+        }
+        owners
+    }
+
+    fn into_region(self, owners: &[u32]) -> Region {
+        let mut order: Vec<u32> = (0u32..).take(owners.len()).collect();
+        order.sort_by_key(|&outline| owners[outline as usize]); // stable, and an outline precedes its holes
+        let mut contours = Contours::with_capacity(order.len(), self.contours.point_count());
+        let mut polygons = Vec::new();
+        for &outline in &order {
+            if owners[outline as usize] == outline {
+                polygons.push(contours.len());
+            }
+            contours.push(self.contours.get(outline as usize).unwrap_or_default().iter().copied());
+        }
+        Region::from_parts(contours, polygons)
+    }
+}
+
+/// Adds a point to an outline; the point before it goes if it is no corner.
+fn push_corner(points: &mut Vec<GridPoint>, point: GridPoint) {
+    while let [.., a, b] = points[..] {
+        if side(a, b, point).is_ne() {
+            break;
+        }
+        points.pop();
+    }
+    points.push(point);
+}
+
+/// The first point is the leftmost and so a corner, but the last one may not be.
+fn close_corners(points: &mut Vec<GridPoint>) {
+    while let [first, .., a, b] = points[..] {
+        if side(a, b, first).is_ne() {
+            break;
+        }
+        points.pop();
+    }
+}

@@ -1,0 +1,84 @@
+//! [`litho_ruler`].
+
+use phidl_core::prelude::*;
+use phidl_macros::device;
+
+/// Draws a ruler: marks at one pitch whose heights repeat.
+///
+/// ```text
+///   █              █
+///   █      █       █
+///   █ █ █ █ █ █ █ █ █    scale · height; the first mark begins at the origin
+///   width
+///   ├─┤ spacing
+/// ```
+///
+/// # Ports
+/// None.
+///
+/// # Errors
+/// `scale` is empty.
+///
+/// # Examples
+/// ```
+/// # use phidl_core::prelude::*;
+/// # use phidl_geometry as pg;
+/// let tens = pg::LithoRulerParams::default().width(0.25).spacing(1).build()?;
+/// assert_eq!(tens.size(), Size::new(20.25, 6.0));
+/// # Ok::<(), Error>(())
+/// ```
+///
+/// # Source
+/// Own design, compatible with PHIDL's `litho_ruler`.
+#[device]
+pub fn litho_ruler(
+    /// Height that `scale` multiplies.
+    #[default(2.0)]
+    #[param(unit = "um", above = 0.0)]
+    height: f64,
+    /// Width of the marks.
+    #[default(0.5)]
+    #[param(unit = "um", above = 0.0)]
+    width: f64,
+    /// From the left edge of one mark to that of the next.
+    #[default(1.2)]
+    #[param(unit = "um")]
+    spacing: f64,
+    /// Heights of the marks in units of `height`, from the first mark on and over again.
+    #[default([3, 1, 1, 1, 1, 2, 1, 1, 1, 1])]
+    #[param(above = 0.0)]
+    scale: Vec<f64>,
+    /// How many marks; none draws nothing.
+    #[default(21)]
+    #[param(max = 1000000)]
+    num_marks: usize,
+    /// Where it is drawn.
+    #[default(0)]
+    layer: Layers,
+) -> Result<Device> {
+    Check::device("litho_ruler").that("scale", "empty", !scale.is_empty(), "name at least one height")?;
+    let mut d = Device::builder("litho_ruler");
+    for (i, scale) in scale.iter().cycle().take(num_marks).enumerate() {
+        let (x, top) = (spacing * i as f64, height * scale);
+        d.add_polygon([(x + width, top), (x + width, 0.0), (x, 0.0), (x, top)], &layer)?;
+    }
+    d.build()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn heights_repeat_from_the_first_mark_on() {
+        let d = litho_ruler(2, 0.5, 1, [3, 1, 2], 5, 0).unwrap();
+        let heights: Vec<f64> = d.polygons().map(|p| Rect::around(p.points.to_vec()).unwrap().max.y).collect();
+        assert_eq!(heights, [6.0, 2.0, 4.0, 6.0, 2.0]);
+    }
+
+    #[test]
+    fn no_marks_draw_nothing_and_no_heights_are_refused() {
+        assert!(litho_ruler(2, 0.5, 1, [3], 0, 0).unwrap().is_empty());
+        assert!(litho_ruler(2, 0.5, 1, [0.0; 0], 5, 0).is_err());
+    }
+}

@@ -1,0 +1,272 @@
+//! The picture: definitions of cells, then one group per layer.
+
+use std::collections::BTreeSet;
+use std::fmt::Write;
+
+use phidl_core::geom::{Point, Rect, Transform, signed_area};
+use phidl_core::layer::{Color, Layer};
+use phidl_core::place::Bounded;
+use phidl_core::scene::{Anchor, Device, Label, PolygonView, Reference};
+
+use super::SvgOptions;
+use super::array::{Thing, place, row};
+use super::number::{escaped, length, placement, push_point};
+use crate::distinct::DistinctCells;
+
+/// Colors of layers without one, by layer number; those of PHIDL's viewer.
+const PALETTE: [Color; 12] = [
+    color(0x3d, 0xcc, 0x5c),
+    color(0x2b, 0x0f, 0xff),
+    color(0xcc, 0x3d, 0x3d),
+    color(0xe5, 0xdd, 0x45),
+    color(0x7b, 0x3d, 0xcc),
+    color(0xcc, 0x86, 0x0c),
+    color(0x73, 0xff, 0x0f),
+    color(0x2d, 0xcc, 0xb4),
+    color(0xff, 0x0f, 0xa3),
+    color(0x0e, 0xc2, 0xe6),
+    color(0x3d, 0x87, 0xcc),
+    color(0xe5, 0x52, 0x0e),
+];
+
+/// Opacity of layers that are in no set.
+const ALPHA: f64 = 0.6;
+
+/// Labels are this part of the picture's longer side high.
+const LABEL_PART: f64 = 1.0 / 50.0;
+
+const fn color(red: u8, green: u8, blue: u8) -> Color {
+    Color { red, green, blue }
+}
+
+/// What lies over each other in the picture: the layers, then the labels.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Plane {
+    Layer(Layer),
+    Labels,
+}
+
+/// Draws a device.
+pub(super) fn draw(device: &Device, options: &SvgOptions) -> String {
+    let nothing = Rect { min: Point::ORIGIN, max: Point::ORIGIN };
+    let frame = device.bbox().unwrap_or(nothing);
+    let cells = DistinctCells::of(device);
+    let mut picture = Picture { planes: planes(&cells), cells: &cells, defs: String::new() };
+    let groups = picture.groups(options);
+    let size = frame.size();
+    let (width, height) = (size.width * options.scale, size.height * options.scale);
+    let letters = options.label_height.unwrap_or(size.width.max(size.height) * LABEL_PART);
+    format!(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
+         <svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"{w}\" height=\"{h}\" \
+         viewBox=\"0 0 {w} {h}\" fill-rule=\"nonzero\" font-family=\"sans-serif\" font-size=\"{letters}\">\n\
+         <title>{title}</title>\n<defs>\n{defs}</defs>\n\
+         <g transform=\"scale({scale}) translate({x} {y}) scale(1 -1)\">\n{groups}</g>\n</svg>\n",
+        w = length(width),
+        h = length(height),
+        letters = length(letters),
+        title = escaped(device.name()),
+        defs = picture.defs,
+        scale = options.scale,
+        x = length(-frame.min.x),
+        y = length(frame.max.y),
+    )
+}
+
+/// The planes on which each cell has something, itself or below.
+fn planes(cells: &DistinctCells) -> Vec<BTreeSet<Plane>> {
+    let mut planes: Vec<BTreeSet<Plane>> = Vec::new();
+    for cell in cells.as_slice() {
+        let mut own: BTreeSet<Plane> = cell.polygons().map(|polygon| Plane::Layer(polygon.layer)).collect();
+        if !cell.labels().is_empty() {
+            own.insert(Plane::Labels);
+        }
+        for reference in cell.references() {
+            own.extend(&planes[cells.place_of(reference.device())]);
+        }
+        planes.push(own);
+    }
+    planes
+}
+
+struct Picture<'a> {
+    cells: &'a DistinctCells,
+    planes: Vec<BTreeSet<Plane>>,
+    defs: String,
+}
+
+impl Picture<'_> {
+    /// One group for each plane of the top cell; the cells below are defined on the way.
+    fn groups(&mut self, options: &SvgOptions) -> String {
+        let mut groups = String::new();
+        let top = self.planes.len() - 1;
+        for (number, plane) in self.planes[top].clone().into_iter().enumerate() {
+            for cell in 0..top {
+                if self.planes[cell].contains(&plane) {
+                    let content = self.content(cell, plane, number);
+                    push_line(&mut self.defs, &format!("<g id=\"{}\">{content}</g>", id(cell, number)));
+                }
+            }
+            let content = self.content(top, plane, number);
+            push_line(&mut groups, &format!("<g {}>{content}</g>", looks(plane, options)));
+        }
+        groups
+    }
+
+    /// What a cell shows on a plane: its own outlines or labels, then what it places.
+    fn content(&mut self, cell: usize, plane: Plane, number: usize) -> String {
+        let device = &self.cells.as_slice()[cell];
+        let mut content = match plane {
+            Plane::Layer(layer) => path(device.polygons().filter(|polygon| polygon.layer == layer)),
+            Plane::Labels => device.labels().iter().map(text).collect(),
+        };
+        for (index, reference) in device.references().iter().enumerate() {
+            let child = self.cells.place_of(reference.device());
+            if self.planes[child].contains(&plane) {
+                let name = format!("{}r{index}", id(cell, number));
+                content.push_str(&placed(reference, id(child, number), &name, &mut self.defs));
+            }
+        }
+        content
+    }
+}
+
+/// The name of the definition of a cell on a plane.
+fn id(cell: usize, plane: usize) -> String {
+    format!("c{cell}p{plane}")
+}
+
+/// A reference to a definition; of an array, all elements.
+fn placed(reference: &Reference, id: String, name: &str, defs: &mut String) -> String {
+    let transform = *reference.transform();
+    let Some(array) = reference.array() else {
+        return place(&Thing { id, transform }, Point::ORIGIN);
+    };
+    // Steps are turned and mirrored with the array, but not magnified: only the element is, inside.
+    let element = Thing { id, transform: Transform::scaling(transform.magnification) };
+    let column = row(&element, array.row_step, array.rows, &format!("{name}r"), defs);
+    push_line(defs, &format!("<g id=\"{name}\">{column}</g>"));
+    let column = Thing { id: name.to_owned(), transform: Transform::IDENTITY };
+    let columns = row(&column, array.column_step, array.columns, &format!("{name}c"), defs);
+    format!("<g{}>{columns}</g>", placement(&Transform { magnification: 1.0, ..transform }))
+}
+
+/// All outlines as one path.
+fn path<'a>(polygons: impl Iterator<Item = PolygonView<'a>>) -> String {
+    let mut data = String::new();
+    for polygon in polygons {
+        let reversed = signed_area(polygon.points) < 0.0;
+        let count = polygon.points.len();
+        for i in 0..count {
+            data.push_str(match i {
+                0 => "M",
+                1 => "L",
+                _ => " ",
+            });
+            push_point(&mut data, polygon.points[if reversed { count - 1 - i } else { i }]);
+        }
+        data.push('Z');
+    }
+    if data.is_empty() { data } else { format!("<path d=\"{data}\"/>") }
+}
+
+/// A label. The picture is upside down where y is up, so its letters are turned over once more.
+fn text(label: &Label) -> String {
+    let transform = Transform { x_reflection: !label.transform().x_reflection, ..*label.transform() };
+    let (across, up) = anchors(label.anchor);
+    format!(
+        "<text{} text-anchor=\"{across}\" dominant-baseline=\"{up}\">{}</text>",
+        placement(&transform),
+        escaped(&label.text)
+    )
+}
+
+fn anchors(anchor: Anchor) -> (&'static str, &'static str) {
+    let across = match anchor {
+        Anchor::NorthWest | Anchor::West | Anchor::SouthWest => "start",
+        Anchor::North | Anchor::Center | Anchor::South => "middle",
+        Anchor::NorthEast | Anchor::East | Anchor::SouthEast => "end",
+    };
+    let up = match anchor {
+        Anchor::NorthWest | Anchor::North | Anchor::NorthEast => "text-before-edge",
+        Anchor::West | Anchor::Center | Anchor::East => "central",
+        Anchor::SouthWest | Anchor::South | Anchor::SouthEast => "text-after-edge",
+    };
+    (across, up)
+}
+
+/// Name, color and opacity of a plane's group.
+fn looks(plane: Plane, options: &SvgOptions) -> String {
+    let Plane::Layer(layer) = plane else { return "id=\"labels\"".to_owned() };
+    let named = options.layers.find(layer);
+    let color = named.and_then(|named| named.color).unwrap_or(PALETTE[usize::from(layer.number) % PALETTE.len()]);
+    let alpha = named.map_or(ALPHA, |named| named.alpha);
+    let Layer { number, datatype } = layer;
+    format!("id=\"layer{number:03}_datatype{datatype:03}\" fill=\"{color}\" opacity=\"{alpha}\"")
+}
+
+fn push_line(text: &mut String, line: &str) {
+    // Writing into a String cannot fail.
+    let _ = writeln!(text, "{line}");
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+    use phidl_core::layer::{LayerSet, NamedLayer};
+    use phidl_core::place::Place;
+
+    use super::*;
+
+    /// Clockwise, with a keyhole: the outer square, then the inner one the other way round.
+    fn frame() -> Device {
+        let mut d = Device::builder("frame");
+        let outer = [(0, 0), (0, 4), (4, 4), (4, 0), (0, 0)];
+        let inner = [(1, 1), (3, 1), (3, 3), (1, 3), (1, 1)];
+        d.add_polygon(outer.into_iter().chain(inner).collect::<Vec<_>>(), 3).unwrap();
+        d.build().unwrap()
+    }
+
+    #[test]
+    fn a_small_chip_is_drawn_like_this() {
+        let mut d = Device::builder("chip <1>");
+        d.add_polygon([(0, 0), (20, 0), (20, 10), (0, 10)], (1, 2)).unwrap();
+        d.add(frame().place().rotated(90).moved_by((5, 1)));
+        d.add(frame().array(3, 1, (5, 5)).moved_by((6, 1)));
+        d.add_label("a & b", (2, 3), 10);
+        let mut layers = LayerSet::new();
+        layers.add(NamedLayer::new("au", 3).color("gold".parse().unwrap())).unwrap();
+        let options = SvgOptions { layers, scale: 2.0, label_height: Some(1.0) };
+        expect![[r##"
+            <?xml version="1.0" encoding="UTF-8"?>
+            <svg xmlns="http://www.w3.org/2000/svg" version="1.1" width="40" height="20" viewBox="0 0 40 20" fill-rule="nonzero" font-family="sans-serif" font-size="1">
+            <title>chip &lt;1&gt;</title>
+            <defs>
+            <g id="c0p1"><path d="M1 1L1 3 3 3 3 1 1 1 0 0 4 0 4 4 0 4 0 0Z"/></g>
+            <g id="c1p1r1"><use href="#c0p1"/></g>
+            <g id="c1p1r1cx2"><use href="#c1p1r1"/><use href="#c1p1r1" transform="translate(5 0)"/></g>
+            </defs>
+            <g transform="scale(2) translate(0 10) scale(1 -1)">
+            <g id="layer001_datatype002" fill="#2b0fff" opacity="0.6"><path d="M0 0L20 0 20 10 0 10Z"/></g>
+            <g id="layer003_datatype000" fill="#ffd700" opacity="0.6"><use href="#c0p1" transform="translate(5 1) rotate(90)"/><g transform="translate(6 1)"><use href="#c1p1r1"/><use href="#c1p1r1cx2" transform="translate(5 0)"/></g></g>
+            <g id="labels"><text transform="translate(2 3) scale(1 -1)" text-anchor="middle" dominant-baseline="central">a &amp; b</text></g>
+            </g>
+            </svg>
+        "##]]
+        .assert_eq(&draw(&d.build().unwrap(), &options));
+    }
+
+    #[test]
+    fn an_empty_device_is_a_picture_of_no_size() {
+        let picture = draw(&Device::builder("nothing").build().unwrap(), &SvgOptions::default());
+        assert!(picture.contains("width=\"0\" height=\"0\" viewBox=\"0 0 0 0\""), "{picture}");
+    }
+
+    #[test]
+    fn huge_arrays_are_small_pictures() {
+        let mut d = Device::builder("field");
+        d.add(frame().array(100_000, 100_000, (5, 5)));
+        d.add(frame().array(u32::MAX, 1, (5, 5)));
+        assert!(draw(&d.build().unwrap(), &SvgOptions::default()).len() < 20_000);
+    }
+}

@@ -1,0 +1,6 @@
+use phidl_macros::device;
+
+#[device]
+struct Ring;
+
+fn main() {}
