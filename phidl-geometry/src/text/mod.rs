@@ -1,6 +1,6 @@
 //! Lettering: [`text()`], the built-in stencil font [`deplof`], and fonts from files.
 //!
-//! A line of text is a list of outlines around a pen that starts at x = 0, whatever the font; [`layout`] then justifies
+//! A line of text is a list of outlines around a pen that starts at x = 0, whatever the font; `layout` then justifies
 //! the lines by their ink and stacks them. So both kinds of fonts share one meaning of `justify` and of empty lines.
 //!
 //! Text is drawn flat. A cell per letter and a reference per use was the alternative: it makes smaller files, but text is

@@ -3,19 +3,22 @@
 //! A bridge is a slab of one width from a counter straight to the next place without ink: one above and one below the
 //! counter, or, where neither fits, one to either side. Cutting it out changes contours only where its walls cross them:
 //! two chains of corners between the walls go, and the walls join what is left. So the rest of the glyph keeps its
-//! points, and nothing is rounded. A boolean engine would do the same on a grid.
+//! points, and nothing is rounded. A boolean engine would do the same on a grid; it is only asked to unite contours that
+//! cross or cover each other, as variable fonts have them, since there the boundary of the ink is not drawn yet.
 
+use phidl_boolean::{BooleanError, Grid, GridPoint, Region, RunOptions};
 use phidl_core::geom::{Point, Rect, signed_area};
 
-use super::polygon::{edges, segments_cross};
+use super::opened;
+use super::polygon::{contains, edges, segments_cross};
 
 /// What is said of a glyph whose counters leave no room.
 const NO_ROOM: &str = "a counter leaves no room for bridges as wide as stencil asks for";
-/// What is said of a glyph that has no clean boundary to cut.
-const NOT_CLEAN: &str = "contours cross each other, and only clean outlines can be bridged";
+/// Grid on which contours that cross are united, in font units: far finer than the grid that they are drawn on.
+const UNITING: f64 = 1.0 / 1024.0;
 
 /// The contours of a glyph with every counter opened by bridges of a width, in font units; or why that cannot be.
-pub(super) fn bridged(contours: Vec<Vec<Point>>, width: f64) -> Result<Vec<Vec<Point>>, &'static str> {
+pub(super) fn bridged(contours: Vec<Vec<Point>>, width: f64) -> Result<Vec<Vec<Point>>, String> {
     let mut ink = Ink::new(contours)?;
     let counters: Vec<Vec<Point>> = ink.contours.iter().filter(|c| signed_area(c) < 0.0).cloned().collect();
     for counter in counters {
@@ -26,7 +29,7 @@ pub(super) fn bridged(contours: Vec<Vec<Point>>, width: f64) -> Result<Vec<Vec<P
         }
     }
     let closed = ink.contours.iter().any(|contour| signed_area(contour) < 0.0);
-    if closed { Err(NO_ROOM) } else { Ok(ink.contours) }
+    if closed { Err(NO_ROOM.to_owned()) } else { Ok(ink.contours) }
 }
 
 /// A contour turned clockwise by quarter turns, exactly.
@@ -80,12 +83,15 @@ struct Ink {
 }
 
 impl Ink {
-    fn new(mut contours: Vec<Vec<Point>>) -> Result<Self, &'static str> {
+    fn new(mut contours: Vec<Vec<Point>>) -> Result<Self, String> {
         let largest = contours.iter().map(|c| signed_area(c)).max_by(|a, b| a.abs().total_cmp(&b.abs()));
         if largest.is_some_and(|area| area < 0.0) {
             contours.iter_mut().for_each(|contour| contour.reverse());
         }
-        if any_crossing(&contours) { Err(NOT_CLEAN) } else { Ok(Self { contours }) }
+        if any_crossing(&contours) || !contours.iter().all(|contour| is_boundary(contour, &contours)) {
+            contours = united(contours).map_err(|error| error.to_string())?;
+        }
+        Ok(Self { contours })
     }
 
     /// Cuts the ink above a slab, after turning everything clockwise by quarter turns. Returns whether that was possible.
@@ -158,6 +164,23 @@ impl Ink {
     }
 }
 
+/// Whether a contour divides ink from no ink: outside of all others, or, as a counter, in just one.
+fn is_boundary(contour: &[Point], all: &[Vec<Point>]) -> bool {
+    let around = all.iter().filter(|other| other.as_slice() != contour && contains(other, contour[0]));
+    let turns: f64 = around.map(|other| signed_area(other).signum()).sum();
+    turns == if signed_area(contour) > 0.0 { 0.0 } else { 1.0 }
+}
+
+/// The boundary of what some contours cover by the winding number, on a grid.
+fn united(contours: Vec<Vec<Point>>) -> Result<Vec<Vec<Point>>, BooleanError> {
+    let grid = Grid::new(UNITING)?;
+    let outlines = opened::outlines(contours);
+    let shapes = grid.snap(outlines.iter().map(|outline| outline.iter().map(|p| (p.x, p.y))))?;
+    let ink = Region::merged(&shapes, &RunOptions::default())?;
+    let corner = |p: &GridPoint| Point::new(grid.coordinate(p.x), grid.coordinate(p.y));
+    Ok(ink.contours().iter().map(|contour| contour.iter().map(corner).collect()).collect())
+}
+
 /// Whether any two edges cross, looked for from left to right.
 fn any_crossing(contours: &[Vec<Point>]) -> bool {
     let left = |edge: &(Point, Point)| edge.0.x.min(edge.1.x);
@@ -225,8 +248,16 @@ mod tests {
     #[test]
     fn what_cannot_be_bridged_is_refused() {
         let tight = vec![rect(0.0, 0.0, 10.0, 10.0), hole(4.0, 4.0, 2.0, 2.0)];
-        assert_eq!(bridged(tight, 3.0), Err(NO_ROOM));
-        let crossing = vec![rect(0.0, 0.0, 10.0, 10.0), rect(5.0, 5.0, 10.0, 10.0)];
-        assert_eq!(bridged(crossing, 1.0), Err(NOT_CLEAN));
+        assert_eq!(bridged(tight, 3.0), Err(NO_ROOM.to_owned()));
+    }
+
+    #[test]
+    fn a_counter_between_contours_that_overlap_is_opened_too() {
+        let bars = [rect(0.0, 0.0, 10.0, 3.0), rect(0.0, 7.0, 10.0, 3.0)];
+        let posts = [rect(0.0, 0.0, 3.0, 10.0), rect(7.0, 0.0, 3.0, 10.0)];
+        assert_eq!(areas(&bridged([bars, posts].concat(), 2.0).unwrap()), [36.0, 36.0]);
+        // A contour inside another of the same direction changes nothing.
+        let doubled = vec![rect(0.0, 0.0, 10.0, 10.0), hole(3.0, 3.0, 4.0, 4.0), rect(1.0, 4.0, 1.0, 1.0)];
+        assert_eq!(areas(&bridged(doubled, 2.0).unwrap()), [36.0, 36.0]);
     }
 }
