@@ -12,11 +12,13 @@
 //!
 //! | family | shapes |
 //! |---|---|
-//! | basic | [`rectangle`], [`bbox`], [`straight`]; [`cross`]; [`circle`], [`ellipse`]; [`ring`], [`arc`]; [`l`], [`c`] |
+//! | basic | [`rectangle`], [`bbox`], [`straight`]; [`cross`]; [`circle`], [`ellipse`]; [`ring`], [`arc`], [`turn`]; [`l`], [`c`] |
 //! | connecting | [`compass`], [`compass_multi`], [`connector`], [`flagpole`], [`tee`], [`polygon_ports`] |
-//! | tapers | [`taper`](fn@taper) |
+//! | tapers | [`taper`](fn@taper), [`ramp`], [`hecken_taper`], [`meander_taper`]; [`Microstrip`] |
+//! | nanowires | [`optimal_hairpin`], [`optimal_step`], [`optimal_90deg`]; [`snspd`], [`snspd_expanded`], [`snspd_candelabra`]; [`ytron_round`] |
+//! | photonics | [`grating`], [`racetrack_gradual`] |
 //! | lithography | [`litho_steps`], [`litho_star`], [`litho_calipers`], [`litho_ruler`] |
-//! | electrical tests | [`test_via`], [`test_comb`], [`test_res`] |
+//! | electrical tests | [`test_via`], [`test_comb`], [`test_ic`], [`test_res`] |
 //! | dies | [`basic_die`] |
 //! | lettering | [`text`](fn@text) |
 //!
@@ -37,8 +39,12 @@ pub mod basic;
 pub mod connect;
 pub mod die;
 pub mod litho;
+pub mod nanowire;
+pub mod photonic;
 pub mod taper;
 pub mod test_structure;
+#[cfg(test)]
+mod testing;
 pub mod text;
 
 pub use basic::*;
@@ -48,6 +54,8 @@ pub use connect::{
 };
 pub use die::{BasicDieParams, basic_die};
 pub use litho::*;
+pub use nanowire::*;
+pub use photonic::*;
 pub use taper::*;
 pub use test_structure::*;
 pub use text::{TextParams, text};

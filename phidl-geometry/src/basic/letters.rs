@@ -2,6 +2,7 @@
 //!
 //! Both repeat their first corner at the end, as the specification counts points.
 
+use phidl_core::param::Check;
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
@@ -16,11 +17,13 @@ use phidl_macros::device;
 ///   width
 /// ```
 ///
-/// The middle lines of the arms meet in the origin; `size` is measured from there. The arms are apart while both
-/// extents are at least half the width.
+/// The middle lines of the arms meet in the origin; `size` is measured from there.
 ///
 /// # Ports
 /// `1` above, facing 90°, and `2` to the right, facing 0°; both `width` wide.
+///
+/// # Errors
+/// Both extents must be at least half the width, or the outline would cross itself.
 ///
 /// # Examples
 /// ```
@@ -48,6 +51,9 @@ pub fn l(
     layer: Layers,
 ) -> Result<Device> {
     let (h, Size { width: right, height: top }) = (width / 2.0, size);
+    let check = Check::device("L");
+    check.at_least("size.width", right, ("half the width", h))?;
+    check.at_least("size.height", top, ("half the width", h))?;
     let mut d = Device::builder("L");
     d.add_polygon([(-h, -h), (right, -h), (right, h), (h, h), (h, top), (-h, top), (-h, -h)], layer)?;
     d.add_port("1", ((0, top), width, 90))?;
@@ -67,10 +73,13 @@ pub fn l(
 /// ```
 ///
 /// The middle lines of the lower and the upright arm meet in the origin; `size` is measured from there, along the middle
-/// lines. The arms are apart while `size.width` is at least half the width, and `size.height` more than the width.
+/// lines.
 ///
 /// # Ports
 /// `1` at the end of the upper arm and `2` at that of the lower one, facing 0°; both `width` wide.
+///
+/// # Errors
+/// `size.width` must be at least half the width and `size.height` at least the width, or the outline would cross itself.
 ///
 /// # Examples
 /// ```
@@ -100,6 +109,9 @@ pub fn c(
     let (h, Size { width: right, height: top }) = (width / 2.0, size);
     let lower = [(-h, -h), (right, -h), (right, h), (h, h)];
     let upper = [(h, top - h), (right, top - h), (right, top + h), (-h, top + h), (-h, -h)];
+    let check = Check::device("C");
+    check.at_least("size.width", right, ("half the width", h))?;
+    check.at_least("size.height", top, ("width", width))?;
     let mut d = Device::builder("C");
     d.add_polygon([lower.as_slice(), upper.as_slice()].concat(), layer)?;
     d.add_port("1", ((right, top), width, 0))?;

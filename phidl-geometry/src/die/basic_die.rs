@@ -1,6 +1,6 @@
 //! [`basic_die`].
 
-use phidl_core::param::{Kind, Mismatch, Param};
+use phidl_core::param::{Check, Kind, Mismatch, Param};
 use phidl_core::prelude::*;
 use phidl_macros::{Choice, device};
 
@@ -85,6 +85,9 @@ impl TextLocation {
 /// # Ports
 /// None.
 ///
+/// # Errors
+/// `street_length` must be at least `street_width`, or the corner marks would cross themselves.
+///
 /// # Numerics
 /// The drawn box of the name stands 20 µm inside the corner marks, whatever `text_size` is. The box is filled.
 ///
@@ -133,6 +136,7 @@ pub fn basic_die(
     #[default(99)]
     bbox_layer: Layers,
 ) -> Result<Device> {
+    Check::device("basic_die").at_least("street_length", street_length, ("street_width", street_width))?;
     let half = Point::new(size.width, size.height) / 2.0;
     let mut d = Device::builder("die");
     for (x, y) in [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)] {

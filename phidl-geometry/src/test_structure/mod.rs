@@ -5,9 +5,11 @@
 
 mod block;
 mod comb;
+mod critical_current;
 mod resistance;
 mod via;
 
 pub use comb::{TestCombParams, test_comb};
+pub use critical_current::{TestIcParams, test_ic};
 pub use resistance::{TestResParams, test_res};
 pub use via::{TestViaParams, test_via};

@@ -33,10 +33,13 @@ pub enum Justify {
 /// Draws lettering, one or several lines of it, in the built-in stencil font or in any TrueType or OpenType font.
 ///
 /// ```text
-///   ┬ ▞▀▖▌         ▌
-///   │ ▌  ▛▀▖▀▛▘▙▀▖ ▌ size
-///   ┴ ▚▄▘▌ ▌▄▙▖▙▄▘ ▌    first baseline: y = 0
-///     │      ▌           x = 0: pen (left), middle or end of the ink (center, right)
+///     ┃  ┏━╸ ╻ ╻ ╻ ┏━┓   ┬
+///     ┃  ┃   ┣━┫ ┃ ┣━┛   │ size
+///   ──╂──┗━╸─╹─╹─╹─╹──   ┴ first baseline, y = 0
+///     ┃  ┏━┓ ┏━┓           line pitch
+///     ┃  ┗━┫ ┗━┫
+///   ──╂──╺━┛─╺━┛──────     second baseline
+///   x = 0: the pen (left), the end or the middle of the ink (right, center)
 /// ```
 ///
 /// Lines end at `\n` or `\r\n`; empty ones count. Line k has its baseline at `-k` line pitches.

@@ -111,6 +111,15 @@ fn electrical_tests_have_the_hashes_of_the_specification() {
             json!({"pad_size": [40, 40], "wire_width": 1, "wire_gap": 1}),
             "ebb3003fd8d77ac0f9ac4a6a1add611a96ff653b",
         ),
+        ("test_ic", json!({}), "a2e7448c2026ad204cf6952cbab96511255ffbba"),
+        (
+            "test_ic",
+            json!({
+                "wire_widths": [5, 10, 20], "wire_widths_wide": [20, 40, 60], "pad_size": small, "pad_gap": 150,
+                "wire_layer": 0, "pad_layer": 1, "gnd_layer": 2
+            }),
+            "19304b13e54f25542fd74771c9f64868bffddd3b",
+        ),
         ("test_res", json!({}), "464324776b21cb3f9f587932e7450117a47832e0"),
         ("test_res", json!({"pad_size": [20, 20], "num_squares": 100}), "ff4acb57bfc924f7eee46edab84b70287f8229de"),
         ("test_res", json!({"pad_size": [20, 20], "num_squares": 30}), "069828c908e3c0a38d291a27fc2b8d9adce16afc"),

@@ -2,6 +2,7 @@
 
 mod deplof;
 mod domain;
+mod extremes;
 mod golden;
 mod hashes;
 mod hashes_basic;

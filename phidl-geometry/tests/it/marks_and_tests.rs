@@ -160,6 +160,25 @@ proptest! {
         prop_assert!(hang_together(&wire), "the left pad is joined to the right one");
         prop_assert!(hang_together(&boxes(&d, 1)));
     }
+
+    #[test]
+    fn wires_with_a_narrow_place_join_the_pads_and_are_never_wider_than_their_leads(
+        widths in prop::collection::vec((0.2..3.0_f64, 1.05..6.0_f64), 1..4),
+        pad in 50.0..300.0_f64,
+    ) {
+        let narrow: Vec<f64> = widths.iter().map(|(narrow, _)| *narrow).collect();
+        let wide: Vec<f64> = widths.iter().map(|(narrow, ratio)| narrow * ratio).collect();
+        // A narrow place is shorter than 12 wide widths here.
+        let gap = 12.0 * wide.iter().copied().fold(0.0, f64::max);
+        let d = pg::test_ic(narrow.clone(), wide.clone(), (pad, pad), gap, 1, 2, 3).unwrap();
+        let n = widths.len() as f64;
+        prop_assert!(d.bbox().unwrap().max.distance((1.2 * pad * n, 2.0 * pad + gap).into()) < 1e-6);
+        prop_assert!(hang_together(&boxes(&d, 1)));
+        let metal: Vec<Vec<Point>> =
+            d.flat_polygons().filter(|p| p.layer == Some(1.into())).map(|p| p.points().collect()).collect();
+        let wires = merged_area(&metal) - 1.2 * n * pad * pad - n * pad * pad;
+        prop_assert!(wires > gap * narrow.iter().sum::<f64>() && wires < gap * wide.iter().sum::<f64>());
+    }
 }
 
 /// Numbers that people give by mistake.
@@ -180,6 +199,7 @@ fn no_number_makes_a_shape_panic() {
         "polygon_ports",
         "tee",
         "test_comb",
+        "test_ic",
         "test_res",
         "test_via",
     ];

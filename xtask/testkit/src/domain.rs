@@ -13,7 +13,6 @@ use proptest::sample::select;
 ///
 /// # Panics
 /// If a parameter without a default is of a kind that nothing is drawn for.
-#[must_use]
 pub fn params(entry: &Entry) -> BoxedStrategy<BTreeMap<String, Value>> {
     entry.params().into_iter().fold(Just(BTreeMap::new()).boxed(), |all, param| {
         let Some(values) = value(&param.kind, &param.bounds) else {

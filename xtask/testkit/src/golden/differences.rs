@@ -19,6 +19,9 @@ pub struct Difference {
     /// When it applies: parameters that the case gives with these values. None: always.
     #[serde(default)]
     pub when: BTreeMap<String, Json>,
+    /// When it applies: parameters that the case gives at all.
+    #[serde(default)]
+    pub given: Vec<String>,
     /// Why ours differs: the Quirk of the specification, or a proof.
     pub reason: String,
     /// What is compared instead, in words.
@@ -32,6 +35,7 @@ impl Difference {
     #[must_use]
     pub fn applies_to(&self, case: &Case) -> bool {
         (self.function == case.device || self.function == case.function)
+            && self.given.iter().all(|name| case.params.contains_key(name))
             && self.when.iter().all(|(name, value)| case.params.get(name) == Some(value))
     }
 }

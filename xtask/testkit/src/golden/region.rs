@@ -11,19 +11,26 @@ const STEPS: f64 = 1e6;
 /// Area (µm²) that some outlines cover together.
 #[must_use]
 pub fn merged_area(outlines: &[Vec<Point>]) -> f64 {
-    to_um2(&union_subjects_64(&to_paths(outlines), FillRule::NonZero))
+    let origin = first_point(outlines);
+    to_um2(&union_subjects_64(&to_paths(outlines, origin), FillRule::NonZero))
 }
 
 /// Area (µm²) that only one of two sets of outlines covers.
 #[must_use]
 pub fn xor_area(a: &[Vec<Point>], b: &[Vec<Point>]) -> f64 {
-    to_um2(&xor_64(&to_paths(a), &to_paths(b), FillRule::NonZero))
+    let origin = first_point(a);
+    to_um2(&xor_64(&to_paths(a, origin), &to_paths(b, origin), FillRule::NonZero))
+}
+
+/// Where the engine counts from: far away, its areas lose their last digits.
+fn first_point(outlines: &[Vec<Point>]) -> Point {
+    outlines.iter().flatten().next().copied().unwrap_or(Point::ORIGIN)
 }
 
 /// Every outline turned counter-clockwise, so that overlaps of differently directed ones do not cancel.
-fn to_paths(outlines: &[Vec<Point>]) -> Paths64 {
+fn to_paths(outlines: &[Vec<Point>], origin: Point) -> Paths64 {
     let path = |outline: &Vec<Point>| -> Path64 {
-        let points: Path64 = outline.iter().map(|p| Point64::new(step(p.x), step(p.y))).collect();
+        let points: Path64 = outline.iter().map(|p| *p - origin).map(|p| Point64::new(step(p.x), step(p.y))).collect();
         let backwards = phidl_core::geom::signed_area(outline) < 0.0;
         if backwards { points.into_iter().rev().collect() } else { points }
     };
