@@ -103,3 +103,47 @@ impl OutlineFont {
         Error::custom("text", format_args!("the outline of glyph {glyph} of {:?} cannot be read", self.name))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use clipper2_rust::{FillRule, Path64, Paths64, Point64, area, area_paths, union_subjects_64};
+
+    use super::*;
+
+    /// Steps of the judging grid in a font unit.
+    const STEPS: f64 = 1000.0;
+
+    /// What some contours cover by the winding number, as the second engine sees it.
+    fn covered(contours: &[Vec<Point>]) -> Paths64 {
+        #[expect(clippy::cast_possible_truncation, reason = "a few thousand units")]
+        let step = |units: f64| (units * STEPS).round() as i64;
+        let path =
+            |contour: &Vec<Point>| -> Path64 { contour.iter().map(|p| Point64::new(step(p.x), step(p.y))).collect() };
+        union_subjects_64(&contours.iter().map(path).collect(), FillRule::NonZero)
+    }
+
+    /// The contours of Latin, Greek and Cyrillic letters, signs and accents of DejaVu Sans.
+    fn letters() -> Vec<(u32, Vec<Vec<Point>>)> {
+        let font = Font::new(dejavu::sans::regular(), 0).expect("a font");
+        let glyphs = (0x21..0x530).filter_map(|code: u32| font.charmap().map_unicode(code).map(|id| id.to_u32()));
+        glyphs.map(|glyph| (glyph, Flattened::glyph(&font, glyph, 1.0).expect("an outline"))).collect()
+    }
+
+    #[test]
+    fn opened_glyphs_cover_what_their_contours_cover() {
+        for (glyph, contours) in letters() {
+            let expected = area_paths(&covered(&contours));
+            let opened = area_paths(&covered(&opened::outlines(contours)));
+            // Contours may be of either direction, and the area then has either sign.
+            assert!((expected.abs() - opened.abs()).abs() <= 2.0 * STEPS * STEPS, "glyph {glyph}");
+        }
+    }
+
+    #[test]
+    fn bridged_glyphs_enclose_nothing() {
+        for (glyph, contours) in letters() {
+            let ink = stencil::bridged(contours, 60.0).unwrap_or_else(|error| panic!("glyph {glyph}: {error}"));
+            assert!(covered(&ink).iter().all(|path| area(path) > 0.0), "glyph {glyph}");
+        }
+    }
+}
