@@ -23,6 +23,7 @@
 //! | arranging | [`grid`](fn@grid), [`gridsweep`](fn@gridsweep), [`packer`](fn@packer), [`fill_rectangle`](fn@fill_rectangle) |
 //! | copying, selecting | [`extract`](fn@extract), [`copy_layer`](fn@copy_layer), [`copy`](fn@copy), [`deepcopy`](fn@deepcopy), [`flatten`](fn@flatten) |
 //! | exchanging | [`ports_to_geometry`](fn@ports_to_geometry), [`geometry_to_ports`](fn@geometry_to_ports), [`preview_layerset`](fn@preview_layerset) |
+//! | lettering | [`text`](fn@text) |
 //!
 //! Names, parameters, defaults, ports and drawn points are PHIDL's, so that a script and its mask carry over. Lengths
 //! are micrometers, angles degrees counter-clockwise; nothing is rounded. A program that names no shape but builds some
@@ -43,7 +44,6 @@ pub mod basic;
 pub mod connect;
 pub mod die;
 pub mod fill;
-mod label_text;
 pub mod litho;
 pub mod nanowire;
 pub mod photonic;
@@ -52,6 +52,7 @@ pub mod taper;
 pub mod test_structure;
 #[cfg(test)]
 mod testing;
+pub mod text;
 
 pub use arrange::{GridParams, GridsweepParams, PackerParams, grid, gridsweep, packer};
 pub use basic::*;
@@ -67,3 +68,4 @@ pub use photonic::*;
 pub use select::*;
 pub use taper::*;
 pub use test_structure::*;
+pub use text::{TextParams, text};

@@ -4,7 +4,7 @@ use phidl_core::param::{Check, Kind, Mismatch, Param};
 use phidl_core::prelude::*;
 use phidl_macros::{Choice, device};
 
-use crate::label_text::{Justify, label_text};
+use crate::text::{Justify, text};
 
 /// Distance of the name from the inner edge of the corner marks (µm).
 const CLEARANCE: f64 = 20.0;
@@ -147,7 +147,7 @@ pub fn basic_die(
         let (x, y) = (half.x, half.y);
         d.add_polygon([(x, y), (x, -y), (-x, -y), (-x, y)], bbox_layer)?;
     }
-    let name = label_text(&die_name, text_size, Justify::Left, &layer)?;
+    let name = text(die_name, text_size, Justify::Left, &layer, "DEPLOF")?;
     if !name.is_empty() {
         let inset = street_width + CLEARANCE;
         let center = text_location.center(name.size(), half - Point::new(inset, inset));

@@ -4,7 +4,7 @@ use phidl_core::prelude::*;
 use phidl_macros::device;
 
 use crate::basic::rectangle;
-use crate::label_text::{Justify, label_text};
+use crate::text::{Justify, text};
 
 /// Draws lines of falling width above bars that are as far apart as the lines are wide: both tones of each width.
 ///
@@ -59,7 +59,7 @@ pub fn litho_steps(
     let bar = rectangle((line_spacing, half), &layer)?;
 
     let mut d = Device::builder("litho_steps");
-    d.add(label_text(&label, half, Justify::Center, &layer)?.place().rotated(90).moved_by((-half / 10.0, 0)));
+    d.add(text(label, half, Justify::Center, &layer, "DEPLOF")?.place().rotated(90).moved_by((-half / 10.0, 0)));
     d.add(bar.place().moved_by((0, -half)));
     let mut x = 0.0;
     for width in line_widths.into_iter().rev() {
@@ -77,7 +77,9 @@ mod tests {
     /// Left and right ends of what is drawn above or below y = 0, from left to right.
     fn spans(d: &Device, above: bool) -> Vec<(f64, f64)> {
         let boxes = d.flat_polygons().map(|p| Rect::around(p.points()).unwrap());
-        let mut spans: Vec<_> = boxes.filter(|b| (b.max.y > 0.0) == above).map(|b| (b.min.x, b.max.x)).collect();
+        // The label stands left of the first bar.
+        let rows = boxes.filter(|b| b.min.x >= 0.0);
+        let mut spans: Vec<_> = rows.filter(|b| (b.max.y > 0.0) == above).map(|b| (b.min.x, b.max.x)).collect();
         spans.sort_by(|a, b| a.0.total_cmp(&b.0));
         spans
     }
@@ -87,6 +89,11 @@ mod tests {
         let d = litho_steps([3.0, 0.5], 2, 10, 0).unwrap();
         assert_eq!(spans(&d, true), [(2.0, 2.5), (4.5, 7.5)]);
         assert_eq!(spans(&d, false), [(0.0, 2.0), (2.5, 4.5), (7.5, 9.5)]);
+        assert_eq!(
+            (d.xmin(), d.ysize()),
+            (-5.5, 10.0),
+            "the label, as high as the upper row, ends half a micrometer left of it"
+        );
     }
 
     #[test]

@@ -62,7 +62,8 @@ impl Param for Arms {
 /// `rho`, `left_width`, `right_width`, `source_width` (µm).
 ///
 /// # Errors
-/// `theta` must be at least 0 and less than 90: it is the tilt of one arm, half of the angle between both.
+/// `theta` must be at least 0 and less than 90: it is the tilt of one arm, half of the angle between both. The source must
+/// be longer than the tip is deep, `rho (1 + sin theta)`, or the tip would cut it in two.
 ///
 /// # Numerics
 /// The tip is an arc of `⌊(180 − 2 theta) / theta_resolution⌋ + 2` points. Widths of arms are measured along x.
@@ -111,6 +112,8 @@ pub fn ytron_round(
 ) -> Result<Device> {
     let tip = tip(rho, theta, theta_resolution)?;
     let corner = Point::polar(rho, theta);
+    let depth = rho + corner.y;
+    Check::device("ytron_round").greater("source_length", source_length, ("the depth of the tip", depth))?;
     let along = |length: f64| Point::polar(length, 90.0 - theta);
     let (left_arm, right_arm) = (along(arm_lengths.left), along(arm_lengths.right));
     let (left, right) = (corner.x + arm_widths.left, corner.x + arm_widths.right);

@@ -6,6 +6,7 @@ use phidl_core::prelude::*;
 use phidl_macros::device;
 
 use crate::basic::rectangle;
+use crate::text::{Justify, text};
 
 /// The layers of a [`LayerSet`] by name, for a preview; in JSON an object of names and layers.
 #[derive(Debug, Clone, PartialEq)]
@@ -104,13 +105,9 @@ pub fn preview_layerset(
     for (n, (name, layer)) in ls.0.iter().enumerate() {
         let at = Point::new(pitch * (n % columns) as f64, -pitch * (n / columns) as f64);
         d.add(rectangle((100.0 * scale, 100.0 * scale), *layer)?.place().moved_by(at));
-        let text = caption(&format!("{name}\n{} / {}", layer.number, layer.datatype), 20.0 * scale, *layer)?;
+        let caption = format!("{name}\n{} / {}", layer.number, layer.datatype);
+        let text = text(caption, 20.0 * scale, Justify::Center, *layer, "DEPLOF")?;
         d.add(text.place().moved_by((50.0 * scale, -20.0 * scale)).moved_by(at));
     }
     d.build()
-}
-
-/// Centered text of this height (µm). Waits for the shape `text`: until then an empty cell.
-fn caption(_text: &str, _size: f64, _layer: Layer) -> Result<Device> {
-    Device::builder("text").build()
 }

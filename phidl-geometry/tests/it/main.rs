@@ -1,6 +1,7 @@
 //! Integration tests of the shape library.
 
 mod arrange;
+mod deplof;
 mod domain;
 mod extremes;
 mod fill;
@@ -14,4 +15,5 @@ mod placement;
 mod quick_start;
 mod registry;
 mod select;
+mod text;
 mod wires_and_pads;

@@ -57,6 +57,7 @@ fn every_shape_of_the_library_is_registered_and_draws_its_example() {
         "test_ic",
         "test_res",
         "test_via",
+        "text",
         "turn",
         "ytron_round",
     ];
