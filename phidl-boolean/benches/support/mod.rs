@@ -1,6 +1,6 @@
 //! Named, seeded scenes for benchmarks and tests: the same shapes in every run, on every machine.
 
-use phidl_boolean::{Contours, GridPoint};
+use phidl_boolean::grid::{Contours, GridPoint};
 
 /// SplitMix64: a few lines, good enough to scatter shapes, and nothing to change under our feet.
 struct Random(u64);

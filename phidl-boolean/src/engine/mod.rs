@@ -105,7 +105,7 @@ pub(crate) fn resolve(operands: [Operand; 2], rule: Rule, options: &RunOptions) 
 
 fn run(operands: [Operand; 2], rule: Rule, options: &RunOptions) -> Result<Region, BooleanError> {
     let scene = Scene::gather(&operands)?;
-    let plan = StripPlan::new(&scene.edges, options.strip_vertices);
+    let plan = StripPlan::new(&scene.edges, options.division);
     let mut work = Work::new(options.watch, 2 * plan.len());
 
     let mut snapped = work.each(plan.len(), |strip| snap::snap_strip(&scene, &plan, strip, &[]))?;
