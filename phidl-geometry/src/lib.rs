@@ -15,15 +15,18 @@
 //! | basic | [`rectangle`], [`bbox`], [`straight`]; [`cross`]; [`circle`], [`ellipse`]; [`ring`], [`arc`] |
 //! | connecting | [`compass`], [`flagpole`] |
 //! | tapers | [`taper`](fn@taper) |
+//! | set operations | [`boolean`](fn@boolean), [`offset`](fn@offset), [`outline`], [`invert`], [`xor_diff`], [`union`]; [`kl_boolean`], [`kl_offset`], [`kl_outline`], [`kl_invert`] |
 //!
 //! Names, parameters, defaults, ports and drawn points are PHIDL's, so that a script and its mask carry over. Lengths
 //! are micrometers, angles degrees counter-clockwise; nothing is rounded. A program that names no shape but builds some
 //! by name links them with `use phidl_geometry as _;`.
 
 pub mod basic;
+pub mod boolean;
 pub mod connect;
 pub mod taper;
 
 pub use basic::*;
+pub use boolean::*;
 pub use connect::{CompassParams, FlagpoleParams, compass, flagpole};
 pub use taper::*;

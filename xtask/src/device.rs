@@ -79,9 +79,8 @@ fn many(batch: &Path, out_dir: &Path) -> anyhow::Result<()> {
             homeless.push(number);
             continue;
         };
-        let result = Entry::deserialize(entry)
-            .map_err(anyhow::Error::from)
-            .and_then(|entry| draw(&entry.device, &entry.params));
+        let result =
+            Entry::deserialize(entry).map_err(anyhow::Error::from).and_then(|entry| draw(&entry.device, &entry.params));
         let described = match result {
             Ok(device) => json::describe(&device),
             Err(error) => {
@@ -89,8 +88,7 @@ fn many(batch: &Path, out_dir: &Path) -> anyhow::Result<()> {
                 object!({ "error": format!("{error:#}") })
             }
         };
-        atomic::write(&file, json::to_text(&described).as_bytes())
-            .map_err(|error| anyhow::anyhow!(error.in_full()))?;
+        atomic::write(&file, json::to_text(&described).as_bytes()).map_err(|error| anyhow::anyhow!(error.in_full()))?;
     }
     drop(progress);
     println!("{} drawn, {refused} refused", entries.len() - refused - homeless.len());

@@ -11,6 +11,7 @@ mod klayout;
 mod offset;
 mod operand;
 mod options;
+mod params;
 mod shapes;
 
 pub use boolean::{IntoOperation, boolean, union, union_by_layer, xor_diff};

@@ -48,15 +48,9 @@ fn flagpoles_and_tapers_have_the_hashes_of_the_specification() {
     ] {
         assert_hash(pg::flagpole((4, 2), (2, 1), shape, Some(Straight), 0), hash);
     }
-    assert_hash(
-        pg::flagpole((50, 25), (4, 8), PoleShape::P, None, 0),
-        "b308344e076da727c8b3a51afe5a29405d5252be",
-    );
+    assert_hash(pg::flagpole((50, 25), (4, 8), PoleShape::P, None, 0), "b308344e076da727c8b3a51afe5a29405d5252be");
     assert_hash(pg::taper(10, None, None, 0), "a12f006ecef39e0c290c24c935a007f8b6e8fdaf");
     assert_hash(pg::taper(10, 6, 4, 0), "963f5407c9bb4788f5acfe2a1c4fd635c9efa75d");
     let port = Port::new((3, 4), 7, 90);
-    assert_hash(
-        pg::TaperParams::default().width2(2).port(port).build(),
-        "9135d8a2f413319cda100ca072fae730c230a911",
-    );
+    assert_hash(pg::TaperParams::default().width2(2).port(port).build(), "9135d8a2f413319cda100ca072fae730c230a911");
 }

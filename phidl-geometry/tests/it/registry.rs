@@ -7,8 +7,29 @@ use phidl_geometry as _;
 fn every_shape_of_the_library_is_registered_and_draws_its_example() {
     let names: Vec<&str> =
         registry::all().filter(|entry| entry.module.starts_with("phidl_geometry")).map(|entry| entry.name).collect();
-    let expected =
-        ["arc", "bbox", "circle", "compass", "cross", "ellipse", "flagpole", "rectangle", "ring", "straight", "taper"];
+    let expected = [
+        "arc",
+        "bbox",
+        "boolean",
+        "circle",
+        "compass",
+        "cross",
+        "ellipse",
+        "flagpole",
+        "invert",
+        "kl_boolean",
+        "kl_invert",
+        "kl_offset",
+        "kl_outline",
+        "offset",
+        "outline",
+        "rectangle",
+        "ring",
+        "straight",
+        "taper",
+        "union",
+        "xor_diff",
+    ];
     assert_eq!(names, expected);
     for entry in registry::all() {
         let example = entry.example().unwrap_or_else(|error| panic!("{}: {}", entry.name, error.in_full()));
