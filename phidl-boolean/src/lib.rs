@@ -3,6 +3,7 @@
 //! | To do | use |
 //! | --- | --- |
 //! | combine, merge, compare | [`boolean`], [`union`], [`union_by_layer`], [`xor_diff`] |
+//! | measure | [`merged_area`], [`merged_areas`] |
 //! | grow, shrink, frame, invert | [`offset()`], [`outline`], [`invert`] |
 //! | port a script that used KLayout's engine | [`kl_boolean`], [`kl_offset`], [`kl_outline`], [`kl_invert`] |
 //! | say what the operands are | anything that is [`Shapes`]: devices, references, polygons, outlines, lists |
@@ -42,7 +43,7 @@ mod region;
 
 pub use device::{
     Border, IntoOperation, KlOptions, OpenPorts, Options, Shapes, boolean, invert, kl_boolean, kl_invert, kl_offset,
-    kl_outline, merged_area, offset, outline, union, union_by_layer, xor_diff,
+    kl_outline, merged_area, merged_areas, offset, outline, union, union_by_layer, xor_diff,
 };
 pub use error::BooleanError;
 pub use offset::{Growth, Join};

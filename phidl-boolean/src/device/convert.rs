@@ -1,4 +1,4 @@
-//! From a [`Region`] to a device and back, and the area that outlines cover together.
+//! From a [`Region`] to a device and back.
 
 use phidl_core::geom::{Outline, Point};
 use phidl_core::layer::Layers;
@@ -6,17 +6,7 @@ use phidl_core::num::grid::Grid;
 use phidl_core::scene::{Device, DeviceBuilder};
 
 use super::{Options, Shapes, operand::Operand};
-use crate::{
-    contours::Contours,
-    error::BooleanError,
-    grid,
-    options::RunOptions,
-    point::{GridPoint, MAX_COORDINATE},
-    region::Region,
-};
-
-/// The finest grid on which areas are measured (µm).
-const FINEST: f64 = 1e-6;
+use crate::{error::BooleanError, point::GridPoint, region::Region};
 
 impl Region {
     /// What some shapes cover, merged, on the grid of `options`.
@@ -89,47 +79,9 @@ impl Outline for OnGrid<'_> {
     }
 }
 
-/// Area (µm²) that outlines (µm) cover together, on a grid of 1e-6 µm, or of the finest power of ten that reaches them.
-///
-/// # Errors
-/// [`BooleanError::OffGrid`] for a coordinate that is not finite; [`BooleanError::TooLarge`] for more than 2³¹ edges.
-///
-/// # Examples
-/// ```
-/// use phidl_core::geom::Point;
-/// let square = |x: f64| [(x, 0.0), (x + 2.0, 0.0), (x + 2.0, 2.0), (x, 2.0)].map(Point::from);
-/// assert_eq!(phidl_boolean::merged_area([square(0.0), square(1.0)])?, 6.0);
-/// # Ok::<(), phidl_boolean::BooleanError>(())
-/// ```
-#[expect(clippy::cast_precision_loss, reason = "the range of the grid is exact in an f64")]
-pub fn merged_area<S, P>(outlines: S) -> Result<f64, BooleanError>
-where
-    S: IntoIterator<Item = P> + Clone,
-    P: IntoIterator<Item = Point>,
-{
-    let points = outlines.clone().into_iter().flatten();
-    let reach = points.map(|p| p.x.abs().max(p.y.abs())).filter(|r| r.is_finite()).fold(0.0, f64::max);
-    let mut step = FINEST;
-    while reach > step * (MAX_COORDINATE - 1) as f64 {
-        step *= 10.0;
-    }
-    let pairs = outlines.into_iter().map(|outline| outline.into_iter().map(|p| (p.x, p.y)));
-    let contours: Contours = grid::snap(&grid::with_step(step)?, pairs)?;
-    Ok(Region::merged(&contours, &RunOptions::default())?.area() * step * step)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn areas_are_measured_far_out_and_refused_where_there_is_none() {
-        let square = |at: f64| [(at, at), (at + 2e7, at), (at + 2e7, at + 2e7), (at, at + 2e7)].map(Point::from);
-        let far = merged_area([square(3e9), square(3e9 + 1e7)]).unwrap();
-        assert!((far - 7e14).abs() < 1e3, "{far}");
-        assert!(merged_area([[(0.0, 0.0), (1.0, f64::NAN), (1.0, 1.0)].map(Point::from)]).is_err());
-        assert_eq!(merged_area(Vec::<Vec<Point>>::new()), Ok(0.0));
-    }
 
     #[test]
     fn polygons_of_a_device_obey_the_limit_and_keep_the_area() {

@@ -5,6 +5,7 @@
 //! shape with a bad coordinate. The alternative, a walk of our own over every kind of shape, would need each of
 //! these rules a second time.
 
+mod area;
 mod boolean;
 mod convert;
 mod klayout;
@@ -14,8 +15,8 @@ mod options;
 mod params;
 mod shapes;
 
+pub use area::{merged_area, merged_areas};
 pub use boolean::{IntoOperation, boolean, union, union_by_layer, xor_diff};
-pub use convert::merged_area;
 pub use klayout::{KlOptions, kl_boolean, kl_invert, kl_offset, kl_outline};
 pub use offset::{Border, OpenPorts, invert, offset, outline};
 pub use options::Options;
