@@ -5,7 +5,9 @@
 //!
 //! Rounding itself is [`phidl_core::num::grid::Grid`]'s, so that a boolean and a file agree on where a half step goes.
 
+use phidl_core::layer::Layers;
 use phidl_core::num::grid::{Grid, GridError};
+use phidl_core::scene::Device;
 
 pub use crate::{
     contours::Contours,
@@ -67,6 +69,27 @@ where
     for (shape, outline) in shapes.into_iter().enumerate() {
         let points = outline.into_iter().map(|(x, y)| Ok(GridPoint::new(grid.steps(x)?, grid.steps(y)?)));
         contours.try_push(points).map_err(|error| off_grid(error, shape))?;
+    }
+    Ok(contours)
+}
+
+/// Rounds what is drawn in a device and below it to the grid; on some layers only, or on all.
+///
+/// # Errors
+/// [`BooleanError::InCell`] names the cell of the first polygon with a coordinate that is out of range.
+pub fn snap_device(grid: &Grid, device: &Device, layers: Option<Layers>) -> Result<Contours, BooleanError> {
+    let polygons = match layers {
+        Some(layers) => device.flat_polygons().on(layers),
+        None => device.flat_polygons(),
+    };
+    let mut contours = Contours::new();
+    for polygon in polygons {
+        let points = polygon.points().map(|p| Ok(GridPoint::new(grid.steps(p.x)?, grid.steps(p.y)?)));
+        let shape = contours.len();
+        contours.try_push(points).map_err(|error| BooleanError::InCell {
+            cell: polygon.device.name().into(),
+            source: Box::new(off_grid(error, shape)),
+        })?;
     }
     Ok(contours)
 }

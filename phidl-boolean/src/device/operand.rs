@@ -1,7 +1,7 @@
 //! [`Operand`]: the shapes of one side of an operation, gathered in a cell.
 
 use phidl_core::geom::Rect;
-use phidl_core::layer::{Layer, Layers};
+use phidl_core::layer::Layer;
 use phidl_core::num::grid::Grid;
 use phidl_core::place::Bounded;
 use phidl_core::port::Port;
@@ -10,8 +10,7 @@ use phidl_core::scene::Device;
 use super::Shapes;
 use crate::{
     error::BooleanError,
-    grid::{Contours, off_grid},
-    point::GridPoint,
+    grid::{Contours, snap_device},
 };
 
 /// Gathered shapes.
@@ -29,12 +28,12 @@ impl Operand {
 
     /// All shapes, rounded to the grid.
     pub(super) fn contours(&self, grid: &Grid) -> Result<Contours, BooleanError> {
-        self.snapped(grid, None)
+        snap_device(grid, &self.cell, None)
     }
 
     /// The shapes on one layer, rounded to the grid.
     pub(super) fn contours_on(&self, grid: &Grid, layer: Layer) -> Result<Contours, BooleanError> {
-        self.snapped(grid, Some(layer.into()))
+        snap_device(grid, &self.cell, Some(layer.into()))
     }
 
     /// The layers that something is drawn on, ascending.
@@ -59,22 +58,5 @@ impl Operand {
             [reference] if alone && reference.array().is_none() => reference.ports().collect(),
             _ => Vec::new(),
         }
-    }
-
-    fn snapped(&self, grid: &Grid, layers: Option<Layers>) -> Result<Contours, BooleanError> {
-        let polygons = match layers {
-            Some(layers) => self.cell.flat_polygons().on(layers),
-            None => self.cell.flat_polygons(),
-        };
-        let mut contours = Contours::new();
-        for polygon in polygons {
-            let points = polygon.points().map(|p| Ok(GridPoint::new(grid.steps(p.x)?, grid.steps(p.y)?)));
-            let shape = contours.len();
-            contours.try_push(points).map_err(|error| BooleanError::InCell {
-                cell: polygon.device.name().into(),
-                source: Box::new(off_grid(error, shape)),
-            })?;
-        }
-        Ok(contours)
     }
 }

@@ -5,4 +5,5 @@
 
 pub mod golden;
 pub mod laws;
+pub mod scenes;
 pub mod strategies;
