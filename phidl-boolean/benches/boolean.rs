@@ -9,7 +9,10 @@ mod support;
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use phidl_boolean::{Contours, OffsetOptions, Operation, RunOptions, boolean, offset};
+use phidl_boolean::{
+    Division, Growth, Operation, RunOptions,
+    grid::{Contours, boolean, offset},
+};
 use support::{apart, confetti};
 
 const THREADS: [usize; 2] = [1, 2];
@@ -47,7 +50,7 @@ fn offsets(criterion: &mut Criterion) {
     for (name, distance) in [("+0.5 µm", 5_000.0), ("-0.3 µm", -3_000.0)] {
         for threads in THREADS {
             let id = BenchmarkId::new(name, format!("{threads} threads"));
-            let options = OffsetOptions::default();
+            let options = Growth::default();
             group
                 .bench_function(id, |bench| bench.iter(|| offset(black_box(&scene), distance, &options, &on(threads))));
         }
@@ -61,7 +64,7 @@ fn strips(criterion: &mut Criterion) {
     let (a, b) = (confetti(10_000, 1), confetti(10_000, 2));
     group.throughput(vertices(&a, &b));
     for strip_vertices in [1_000, 2_000, 4_000, 8_000, 16_000, usize::MAX] {
-        let options = RunOptions { strip_vertices, ..on(2) };
+        let options = RunOptions { division: Division::Vertices(strip_vertices), ..on(2) };
         let id = BenchmarkId::from_parameter(strip_vertices);
         group.bench_function(id, |bench| bench.iter(|| boolean(black_box(&a), &b, Operation::Or, &options)));
     }

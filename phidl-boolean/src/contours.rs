@@ -8,7 +8,7 @@ use crate::{error::BooleanError, point::GridPoint};
 ///
 /// # Examples
 /// ```
-/// use phidl_boolean::{Contours, GridPoint};
+/// use phidl_boolean::grid::{Contours, GridPoint};
 /// let mut contours = Contours::new();
 /// contours.push([(0, 0), (10, 0), (0, 10)].map(GridPoint::from));
 /// assert_eq!(contours.len(), 1);
@@ -35,6 +35,22 @@ impl Contours {
     pub fn push(&mut self, contour: impl IntoIterator<Item = GridPoint>) {
         self.points.extend(contour);
         self.ends.push(self.points.len());
+    }
+
+    /// Appends one contour, or nothing if one of its points is an error.
+    pub(crate) fn try_push<E>(&mut self, contour: impl IntoIterator<Item = Result<GridPoint, E>>) -> Result<(), E> {
+        let start = self.points.len();
+        for point in contour {
+            match point {
+                Ok(point) => self.points.push(point),
+                Err(error) => {
+                    self.points.truncate(start);
+                    return Err(error);
+                }
+            }
+        }
+        self.ends.push(self.points.len());
+        Ok(())
     }
 
     /// Appends all contours of `other`.
@@ -75,7 +91,7 @@ impl Contours {
         &self.points
     }
 
-    /// Checks that every coordinate is within ±[`crate::MAX_COORDINATE`].
+    /// Checks that every coordinate is within ±[`MAX_COORDINATE`](crate::grid::MAX_COORDINATE).
     ///
     /// # Errors
     /// [`BooleanError::OutOfRange`] names the first contour with a point outside.

@@ -1,4 +1,11 @@
 //! What can go wrong: one enum for the crate, one variant for each broken rule.
+//!
+//! Inside a generator, `?` turns it into the error of the scene graph, with the function as the device that refused.
+
+use phidl_core::error::{Error, ParamError};
+
+/// The spellings of operations.
+const OPERATIONS: &str = "one of or, A+B, and, A&B, not, A-B, B-A, xor, A^B";
 
 /// Why an operation was refused or stopped.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -33,7 +40,7 @@ pub enum BooleanError {
         y: i64,
     },
     /// An operation name is not known.
-    #[error("operation is {text:?}, but it must be one of or, A+B, and, A&B, not, A-B, B-A, xor, A^B")]
+    #[error("operation is {text:?}, but it must be {OPERATIONS}")]
     UnknownOperation {
         /// The refused text.
         text: String,
@@ -64,7 +71,79 @@ pub enum BooleanError {
         /// What the operating system said.
         reason: String,
     },
+    /// A shape of an operand is refused by the scene graph: too few points, a coordinate that is not finite.
+    #[error(transparent)]
+    Scene(#[from] Error),
+    /// Something is wrong with a shape of a cell.
+    #[error("in cell {cell}: {source}")]
+    InCell {
+        /// Name of the cell.
+        cell: Box<str>,
+        /// What is wrong.
+        source: Box<BooleanError>,
+    },
+    /// Something went wrong in a function on devices.
+    #[error("{function}: {source}")]
+    Within {
+        /// Name of the function.
+        function: &'static str,
+        /// What went wrong.
+        source: Box<BooleanError>,
+    },
     /// The operation was stopped through its [`crate::Watch`].
     #[error("the operation was cancelled")]
     Cancelled,
+}
+
+impl BooleanError {
+    /// This error with the function that it happened in.
+    pub(crate) fn within(self, function: &'static str) -> Self {
+        Self::Within { function, source: Box::new(self) }
+    }
+
+    /// What went wrong, without the function and the cell that it happened in.
+    pub fn root(&self) -> &Self {
+        match self {
+            Self::Within { source, .. } | Self::InCell { source, .. } => source.root(),
+            other => other,
+        }
+    }
+}
+
+impl From<BooleanError> for Error {
+    fn from(error: BooleanError) -> Self {
+        let (device, error) = match error {
+            BooleanError::Within { function, source } => (function, *source),
+            other => ("boolean", other),
+        };
+        let broken = |param: &str, value: String, rule: &str| {
+            Self::from(ParamError { device: device.into(), param: param.into(), value, rule: format!("be {rule}") })
+        };
+        match error {
+            BooleanError::Scene(error) => error.within(device),
+            BooleanError::Option { option, value, rule } => broken(option, value.to_string(), rule),
+            BooleanError::Precision { precision } => {
+                broken("precision", format!("{precision} µm"), "finite and greater than 0 µm")
+            }
+            BooleanError::UnknownOperation { text } => broken("operation", format!("{text:?}"), OPERATIONS),
+            other => Self::custom(device, other),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn errors_become_those_of_the_function_that_was_called() {
+        let option = BooleanError::Option { option: "max_points", value: 2.0, rule: "at least 3" };
+        let error = Error::from(option.within("union"));
+        assert_eq!(error.to_string(), "union: max_points is 2, but it must be at least 3");
+        let cancelled = Error::from(BooleanError::Cancelled.within("offset"));
+        assert_eq!(cancelled.to_string(), "offset: the operation was cancelled");
+        let text = "A*B".to_owned();
+        let error = Error::from(BooleanError::UnknownOperation { text }.within("boolean"));
+        assert!(error.to_string().starts_with("boolean: operation is \"A*B\", but it must be one of or, A+B"));
+    }
 }

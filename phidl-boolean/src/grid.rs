@@ -1,107 +1,105 @@
-//! The one place where micrometers become grid steps.
+//! The operations on shapes that are on the integer grid already: everything in whole steps, nothing rounded.
 //!
-//! Float noise is removed first (to 2⁻²⁰ of a step), then halves round away from zero. Both steps matter: `0.00005`
-//! and `0.15 / 3000` are the same place to a designer and must meet on the grid, and a mirrored layout must round to
-//! the mirror image. Rounding by `floor(x + 0.5)` would keep shifts by whole steps exact instead, but breaks mirrors.
+//! The functions at the top of the crate take devices and micrometers and do three things: round ([`snap`]), call what
+//! stands here, and cut the result into outlines. Whoever has grid coordinates, or works on with a result, starts here.
+//!
+//! Rounding itself is [`phidl_core::num::grid::Grid`]'s, so that a boolean and a file agree on where a half step goes.
 
-use crate::{
+use phidl_core::layer::Layers;
+use phidl_core::num::grid::{Grid, GridError};
+use phidl_core::scene::Device;
+
+pub use crate::{
     contours::Contours,
+    offset::offset,
+    point::{GridPoint, MAX_COORDINATE, signed_area2},
+    region::{Polygon, Region},
+};
+use crate::{
+    engine,
     error::BooleanError,
-    point::{GridPoint, MAX_COORDINATE},
+    op::{Fill, Operation},
+    options::RunOptions,
 };
 
-/// Parts of a grid step below which a difference counts as float noise.
-const NOISE_PER_STEP: f64 = (1u32 << 20) as f64;
-
-/// A square grid through the origin.
+/// Runs a set operation on two layers of shapes.
+///
+/// Each operand is the union of its shapes, whatever their direction; a shape that crosses itself covers all its
+/// lobes. An empty operand is the empty set.
+///
+/// # Errors
+/// [`BooleanError::OutOfRange`] for a coordinate beyond ±[`MAX_COORDINATE`], [`BooleanError::Option`] for a bad
+/// option, [`BooleanError::TooLarge`] for more than 2³¹ edges, [`BooleanError::Cancelled`] if a
+/// [`Watch`](crate::Watch) says so.
 ///
 /// # Examples
 /// ```
-/// use phidl_boolean::Grid;
-/// let grid = Grid::default();
-/// assert_eq!(grid.steps(0.3), Some(3000)); // 0.3 / 1e-4 is 2999.9999999999995 in floats
-/// assert_eq!(grid.steps(-0.00005), Some(-1));
+/// use phidl_boolean::{Operation, RunOptions, grid};
+/// let steps = grid::with_step(1e-3)?;
+/// let square = |x: f64| [(x, 0.0), (x + 2.0, 0.0), (x + 2.0, 2.0), (x, 2.0)];
+/// let (a, b) = (grid::snap(&steps, [square(0.0)])?, grid::snap(&steps, [square(1.0)])?);
+/// let both = grid::boolean(&a, &b, Operation::And, &RunOptions::default())?;
+/// assert_eq!(both.area(), 1000.0 * 2000.0);
+/// # Ok::<(), phidl_boolean::BooleanError>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Grid {
-    precision: f64,
+pub fn boolean(a: &Contours, b: &Contours, operation: Operation, options: &RunOptions) -> Result<Region, BooleanError> {
+    let rule = engine::Rule { operation, fill: Fill::NonZero };
+    engine::resolve([engine::Operand::Drawn(a), engine::Operand::Drawn(b)], rule, options)
 }
 
-impl Default for Grid {
-    /// The grid of the boolean functions: 10⁻⁴ µm.
-    fn default() -> Self {
-        Self { precision: 1e-4 }
-    }
+/// The grid with steps of `precision` µm, as far as the engine reaches (±[`MAX_COORDINATE`] steps).
+///
+/// # Errors
+/// [`BooleanError::Precision`] if `precision` is not finite and greater than zero.
+pub fn with_step(precision: f64) -> Result<Grid, BooleanError> {
+    let grid = Grid::new(precision).map_err(|_| BooleanError::Precision { precision })?;
+    Ok(grid.reaching(MAX_COORDINATE))
 }
 
-impl Grid {
-    /// A grid with steps of `precision` µm.
-    ///
-    /// # Errors
-    /// [`BooleanError::Precision`] if `precision` is not finite and greater than zero.
-    pub fn new(precision: f64) -> Result<Self, BooleanError> {
-        if precision.is_finite() && precision > 0.0 {
-            Ok(Self { precision })
-        } else {
-            Err(BooleanError::Precision { precision })
-        }
+/// Rounds closed shapes (µm) to the grid, in order.
+///
+/// # Errors
+/// [`BooleanError::OffGrid`] names the first shape with a coordinate that is out of range, infinite or NaN.
+pub fn snap<S, P>(grid: &Grid, shapes: S) -> Result<Contours, BooleanError>
+where
+    S: IntoIterator<Item = P>,
+    P: IntoIterator<Item = (f64, f64)>,
+{
+    let mut contours = Contours::new();
+    for (shape, outline) in shapes.into_iter().enumerate() {
+        let points = outline.into_iter().map(|(x, y)| Ok(GridPoint::new(grid.steps(x)?, grid.steps(y)?)));
+        contours.try_push(points).map_err(|error| off_grid(error, shape))?;
     }
+    Ok(contours)
+}
 
-    /// The grid step (µm).
-    pub fn precision(&self) -> f64 {
-        self.precision
+/// Rounds what is drawn in a device and below it to the grid; on some layers only, or on all.
+///
+/// # Errors
+/// [`BooleanError::InCell`] names the cell of the first polygon with a coordinate that is out of range.
+pub fn snap_device(grid: &Grid, device: &Device, layers: Option<Layers>) -> Result<Contours, BooleanError> {
+    let polygons = match layers {
+        Some(layers) => device.flat_polygons().on(layers),
+        None => device.flat_polygons(),
+    };
+    let mut contours = Contours::new();
+    for polygon in polygons {
+        let points = polygon.points().map(|p| Ok(GridPoint::new(grid.steps(p.x)?, grid.steps(p.y)?)));
+        let shape = contours.len();
+        contours.try_push(points).map_err(|error| BooleanError::InCell {
+            cell: polygon.device.name().into(),
+            source: Box::new(off_grid(error, shape)),
+        })?;
     }
+    Ok(contours)
+}
 
-    /// Largest absolute coordinate that has a place on this grid (µm).
-    #[expect(clippy::cast_precision_loss, reason = "2^40 is exact in an f64")]
-    pub fn limit(&self) -> f64 {
-        MAX_COORDINATE as f64 * self.precision
-    }
-
-    /// The nearest grid step to a coordinate in µm, halves away from zero; `None` if it is out of range or NaN.
-    #[expect(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "the range is checked first")]
-    pub fn steps(&self, coordinate: f64) -> Option<i64> {
-        let steps = self.scaled(coordinate).round();
-        (steps.abs() <= MAX_COORDINATE as f64).then_some(steps as i64)
-    }
-
-    /// A length in µm as a real number of grid steps, without float noise.
-    pub fn scaled(&self, length: f64) -> f64 {
-        (length / self.precision * NOISE_PER_STEP).round() / NOISE_PER_STEP
-    }
-
-    /// The coordinate in µm of a grid step.
-    #[expect(clippy::cast_precision_loss, reason = "2^40 steps are exact in an f64")]
-    pub fn coordinate(&self, steps: i64) -> f64 {
-        // Dividing by the whole number of steps in a µm gives the float that a person would type.
-        let per_um = (1.0 / self.precision).round();
-        let is_decimal = ((1.0 / self.precision) - per_um).abs() <= per_um * f64::EPSILON;
-        if is_decimal { steps as f64 / per_um } else { steps as f64 * self.precision }
-    }
-
-    /// Rounds closed shapes to the grid, in order.
-    ///
-    /// # Errors
-    /// [`BooleanError::OffGrid`] names the first shape with a coordinate that is out of range, infinite or NaN.
-    pub fn snap<S, P>(&self, shapes: S) -> Result<Contours, BooleanError>
-    where
-        S: IntoIterator<Item = P>,
-        P: IntoIterator<Item = (f64, f64)>,
-    {
-        let mut contours = Contours::new();
-        let mut points = Vec::new();
-        for (shape, outline) in shapes.into_iter().enumerate() {
-            points.clear();
-            for (x, y) in outline {
-                points.push(GridPoint::new(self.checked(shape, x)?, self.checked(shape, y)?));
-            }
-            contours.push(points.iter().copied());
-        }
-        Ok(contours)
-    }
-
-    fn checked(&self, shape: usize, value: f64) -> Result<i64, BooleanError> {
-        self.steps(value).ok_or(BooleanError::OffGrid { shape, value, limit: self.limit() })
+/// A refused coordinate with the shape that it is in.
+pub(crate) fn off_grid(error: GridError, shape: usize) -> BooleanError {
+    match error {
+        GridError::OutOfRange { um, limit_um, .. } => BooleanError::OffGrid { shape, value: um, limit: limit_um },
+        GridError::BadStep { step } => BooleanError::Precision { precision: step },
+        _ => BooleanError::OffGrid { shape, value: f64::NAN, limit: f64::NAN },
     }
 }
 
@@ -110,38 +108,20 @@ mod tests {
     use super::*;
 
     #[test]
-    fn halves_round_away_from_zero_on_both_sides() {
-        let grid = Grid::default();
-        assert_eq!(grid.steps(0.00005), Some(1));
-        assert_eq!(grid.steps(-0.00005), Some(-1));
-        assert_eq!(grid.steps(0.000_049), Some(0));
-        assert_eq!(grid.steps(-0.56789), Some(-5679));
-    }
-
-    #[test]
-    fn float_noise_below_a_millionth_step_does_not_decide_a_tie() {
-        let grid = Grid::default();
-        let tie = 0.00015; // 1.5 steps
-        assert_eq!(grid.steps(tie * (1.0 - 1e-12)), grid.steps(tie));
-        assert_eq!(grid.steps(tie * (1.0 + 1e-12)), grid.steps(tie));
-    }
-
-    #[test]
-    fn coordinates_come_back_as_a_person_would_type_them() {
-        let grid = Grid::default();
-        assert_eq!(grid.coordinate(3000).to_bits(), 0.3_f64.to_bits());
-        assert_eq!(Grid::new(0.25).map(|g| g.coordinate(-3)), Ok(-0.75));
-    }
-
-    #[test]
     fn what_has_no_place_on_the_grid_is_refused_with_the_shape_that_has_it() {
-        let grid = Grid::default();
+        let grid = with_step(1e-4).unwrap();
         for bad in [f64::NAN, f64::INFINITY, 1.2e8] {
             let shapes = [vec![(0.0, 0.0)], vec![(1.0, bad)]];
-            let Err(BooleanError::OffGrid { shape, .. }) = grid.snap(shapes) else { panic!("{bad} was accepted") };
+            let Err(BooleanError::OffGrid { shape, .. }) = snap(&grid, shapes) else { panic!("{bad} was accepted") };
             assert_eq!(shape, 1);
         }
-        assert_eq!(Grid::new(0.0), Err(BooleanError::Precision { precision: 0.0 }));
-        assert!(Grid::new(f64::NAN).is_err());
+        assert_eq!(with_step(0.0).unwrap_err(), BooleanError::Precision { precision: 0.0 });
+        assert!(with_step(f64::NAN).is_err());
+    }
+
+    #[test]
+    fn coordinates_round_as_the_specification_measured() {
+        let contours = snap(&with_step(1e-4).unwrap(), [[(0.3, -0.00005), (0.00005, -0.56789)]]).unwrap();
+        assert_eq!(contours.points(), [GridPoint::new(3000, -1), GridPoint::new(1, -5679)]);
     }
 }

@@ -2,13 +2,14 @@
 //!
 //! | To do | use |
 //! | --- | --- |
-//! | round micrometers to the grid | [`Grid::snap`], the only place where coordinates are rounded |
-//! | combine two layers of shapes | [`boolean`] |
-//! | merge one layer | [`Region::merged`] |
-//! | grow or shrink | [`offset()`], [`Region::offset`] |
-//! | work on with a result | [`Region`]: `&a \| &b`, `&a & &b`, `&a - &b`, `&a ^ &b`, area, box, point tests |
-//! | write it to a file | [`Region::without_holes`], [`Region::fractured`] |
-//! | watch, stop, choose threads | [`RunOptions`], [`Watch`] |
+//! | combine, merge, compare | [`boolean`], [`union`], [`union_by_layer`], [`xor_diff`] |
+//! | measure | [`merged_area`], [`merged_areas`] |
+//! | grow, shrink, frame, invert | [`offset()`], [`outline`], [`invert`] |
+//! | port a script that used KLayout's engine | [`kl_boolean`], [`kl_offset`], [`kl_outline`], [`kl_invert`] |
+//! | say what the operands are | anything that is [`Shapes`]: devices, references, polygons, outlines, lists |
+//! | choose the grid, threads, watch and stop | [`Options`], [`RunOptions`], [`Watch`] |
+//! | work on with a result | [`Region`]: `&a \| &b`, `&a & &b`, `&a - &b`, `&a ^ &b`, area, box, point tests, [`Region::to_device`] |
+//! | stay on the integer grid | [`grid`] |
 //!
 //! # What is promised
 //!
@@ -28,10 +29,11 @@
 struct Readme;
 
 mod contours;
+mod device;
 mod engine;
 mod error;
 mod fracture;
-mod grid;
+pub mod grid;
 mod offset;
 mod op;
 mod options;
@@ -39,36 +41,13 @@ mod point;
 mod progress;
 mod region;
 
-pub use contours::Contours;
+pub use device::{
+    Border, IntoOperation, KlOptions, OpenPorts, Options, Shapes, boolean, invert, kl_boolean, kl_invert, kl_offset,
+    kl_outline, merged_area, merged_areas, offset, outline, union, union_by_layer, xor_diff,
+};
 pub use error::BooleanError;
-pub use grid::Grid;
-pub use offset::{Join, OffsetOptions, offset};
+pub use offset::{Growth, Join};
 pub use op::Operation;
-pub use options::RunOptions;
-pub use point::{GridPoint, MAX_COORDINATE, signed_area2};
+pub use options::{Division, RunOptions};
 pub use progress::{Progress, Watch};
-pub use region::{Polygon, Region};
-
-/// Runs a set operation on two layers of shapes.
-///
-/// Each operand is the union of its shapes, whatever their direction; a shape that crosses itself covers all its
-/// lobes. An empty operand is the empty set.
-///
-/// # Errors
-/// [`BooleanError::OutOfRange`] for a coordinate beyond ±[`MAX_COORDINATE`], [`BooleanError::Option`] for a bad
-/// option, [`BooleanError::TooLarge`] for more than 2³¹ edges, [`BooleanError::Cancelled`] if a [`Watch`] says so.
-///
-/// # Examples
-/// ```
-/// use phidl_boolean::{Grid, Operation, RunOptions, boolean};
-/// let grid = Grid::new(1e-3)?;
-/// let square = |x: f64| [(x, 0.0), (x + 2.0, 0.0), (x + 2.0, 2.0), (x, 2.0)];
-/// let (a, b) = (grid.snap([square(0.0)])?, grid.snap([square(1.0)])?);
-/// let both = boolean(&a, &b, Operation::And, &RunOptions::default())?;
-/// assert_eq!(both.area(), 1000.0 * 2000.0);
-/// # Ok::<(), phidl_boolean::BooleanError>(())
-/// ```
-pub fn boolean(a: &Contours, b: &Contours, operation: Operation, options: &RunOptions) -> Result<Region, BooleanError> {
-    let rule = engine::Rule { operation, fill: op::Fill::NonZero };
-    engine::resolve([engine::Operand::Drawn(a), engine::Operand::Drawn(b)], rule, options)
-}
+pub use region::Region;

@@ -9,6 +9,7 @@
 //! Rejected: uniting the strips as separate polygons (about five times the edges), and an engine's own outline
 //! function (`i_overlay` limits and bevels corners by other rules, and takes no clockwise outlines).
 
+use phidl_core::num;
 use rayon::prelude::*;
 
 use crate::{
@@ -60,7 +61,7 @@ impl Default for Join {
 
 /// How to grow or shrink.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct OffsetOptions {
+pub struct Growth {
     /// What is put at corners.
     pub join: Join,
     /// Merge overlapping and touching shapes first. Otherwise each shape is grown or shrunk on its own, and the results
@@ -68,7 +69,7 @@ pub struct OffsetOptions {
     pub merge_first: bool,
 }
 
-impl Default for OffsetOptions {
+impl Default for Growth {
     fn default() -> Self {
         Self { join: Join::default(), merge_first: true }
     }
@@ -79,24 +80,20 @@ impl Default for OffsetOptions {
 /// What vanishes leaves an empty region; distance 0 merges.
 ///
 /// # Errors
-/// [`BooleanError::Option`] for a distance or join out of its range, otherwise as [`crate::boolean`]. Growing beyond
+/// [`BooleanError::Option`] for a distance or join out of its range, otherwise as [`boolean`](crate::grid::boolean). Growing beyond
 /// ±[`MAX_COORDINATE`] is [`BooleanError::OutOfRange`].
 ///
 /// # Examples
 /// ```
-/// use phidl_boolean::{Contours, GridPoint, OffsetOptions, RunOptions, offset};
+/// use phidl_boolean::{Growth, RunOptions};
+/// use phidl_boolean::grid::{Contours, GridPoint, offset};
 /// let square: Contours = [[(0, 0), (10, 0), (10, 10), (0, 10)].map(GridPoint::from)].into_iter().collect();
 /// let run = RunOptions::default();
-/// assert_eq!(offset(&square, 1.0, &OffsetOptions::default(), &run)?.area(), 144.0);
-/// assert!(offset(&square, -5.0, &OffsetOptions::default(), &run)?.is_empty());
+/// assert_eq!(offset(&square, 1.0, &Growth::default(), &run)?.area(), 144.0);
+/// assert!(offset(&square, -5.0, &Growth::default(), &run)?.is_empty());
 /// # Ok::<(), phidl_boolean::BooleanError>(())
 /// ```
-pub fn offset(
-    shapes: &Contours,
-    distance: f64,
-    options: &OffsetOptions,
-    run: &RunOptions,
-) -> Result<Region, BooleanError> {
+pub fn offset(shapes: &Contours, distance: f64, options: &Growth, run: &RunOptions) -> Result<Region, BooleanError> {
     check(distance, options.join)?;
     run.check()?;
     shapes.check_range()?;
@@ -301,14 +298,13 @@ impl Corner {
     }
 }
 
-/// The nearest whole number of steps; float noise is removed first, then halves round away from zero.
+/// The nearest whole number of steps, by the rule of the grid.
 #[expect(
     clippy::cast_possible_truncation,
     reason = "tips are at most a few distances away; the engine checks the range"
 )]
 fn whole_steps(length: f64) -> i64 {
-    const NOISE_PER_STEP: f64 = (1u32 << 20) as f64;
-    ((length * NOISE_PER_STEP).round() / NOISE_PER_STEP).round() as i64
+    num::grid::whole(length) as i64
 }
 
 #[cfg(test)]
@@ -333,7 +329,7 @@ mod tests {
     }
 
     fn grown(shapes: &Contours, distance: f64, join: Join) -> Region {
-        offset(shapes, distance, &OffsetOptions { join, merge_first: true }, &RunOptions::default()).unwrap()
+        offset(shapes, distance, &Growth { join, merge_first: true }, &RunOptions::default()).unwrap()
     }
 
     fn area_um2(region: &Region) -> f64 {
@@ -400,7 +396,7 @@ mod tests {
         let mut two = square();
         two.append(&contours(&[(50_000, 50_000), (150_000, 50_000), (150_000, 150_000), (50_000, 150_000)]));
         let shrunk = |merge_first| {
-            let options = OffsetOptions { join: Join::default(), merge_first };
+            let options = Growth { join: Join::default(), merge_first };
             area_um2(&offset(&two, -UM, &options, &RunOptions::default()).unwrap())
         };
         assert_eq!(shrunk(true), 175.0 - 56.0); // shrinking a merged outline of 60 µm with six convex, two reflex corners
@@ -410,7 +406,7 @@ mod tests {
     #[test]
     fn bad_distances_and_joins_are_refused() {
         let refused = |distance, join| {
-            let options = OffsetOptions { join, ..OffsetOptions::default() };
+            let options = Growth { join, ..Growth::default() };
             offset(&square(), distance, &options, &RunOptions::default()).is_err()
         };
         assert!(refused(f64::NAN, Join::default()));

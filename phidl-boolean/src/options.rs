@@ -7,6 +7,31 @@ use crate::{error::BooleanError, progress::Watch};
 /// Vertices per strip when nothing else is asked for; `benches/boolean.rs` compares the neighbors.
 const DEFAULT_STRIP_VERTICES: usize = 4_000;
 
+/// How finely the plane is divided for the threads. The result is the same for all of them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Division {
+    /// Into strips of about this many vertices; more than zero.
+    Vertices(usize),
+    /// Into about this many strips; more than zero. Fewer where long edges would be in many of them.
+    Strips(usize),
+}
+
+impl Default for Division {
+    fn default() -> Self {
+        Self::Vertices(DEFAULT_STRIP_VERTICES)
+    }
+}
+
+impl Division {
+    /// Number of strips for so many edges, at least one.
+    pub(crate) fn strips(self, edges: usize) -> usize {
+        match self {
+            Self::Vertices(vertices) => edges.div_ceil(vertices).max(1),
+            Self::Strips(strips) => strips.min(edges.max(1)),
+        }
+    }
+}
+
 /// How to run an operation: how finely to divide it, on how many threads, and who watches.
 ///
 /// The result is the same, point for point and in the same order, whatever stands here.
@@ -16,26 +41,20 @@ const DEFAULT_STRIP_VERTICES: usize = 4_000;
 /// use phidl_boolean::RunOptions;
 /// let one_thread = RunOptions { threads: Some(1), ..RunOptions::default() };
 /// ```
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub struct RunOptions<'a> {
-    /// About how many vertices each strip of the plane gets; more than zero.
-    pub strip_vertices: usize,
+    /// How finely the plane is divided.
+    pub division: Division,
     /// Number of threads, more than zero; `None` means the current rayon pool (one thread per core).
     pub threads: Option<usize>,
     /// Receives progress and can cancel.
     pub watch: Option<&'a Watch>,
 }
 
-impl Default for RunOptions<'_> {
-    fn default() -> Self {
-        Self { strip_vertices: DEFAULT_STRIP_VERTICES, threads: None, watch: None }
-    }
-}
-
 impl fmt::Debug for RunOptions<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("RunOptions")
-            .field("strip_vertices", &self.strip_vertices)
+            .field("division", &self.division)
             .field("threads", &self.threads)
             .field("watched", &self.watch.is_some())
             .finish()
@@ -45,8 +64,8 @@ impl fmt::Debug for RunOptions<'_> {
 impl RunOptions<'_> {
     pub(crate) fn check(&self) -> Result<(), BooleanError> {
         let rule = "at least 1";
-        if self.strip_vertices == 0 {
-            return Err(BooleanError::Option { option: "strip_vertices", value: 0.0, rule });
+        if let Division::Vertices(0) | Division::Strips(0) = self.division {
+            return Err(BooleanError::Option { option: "division", value: 0.0, rule });
         }
         if self.threads == Some(0) {
             return Err(BooleanError::Option { option: "threads", value: 0.0, rule });
@@ -71,9 +90,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn zero_threads_and_zero_vertices_are_refused() {
+    fn zero_threads_and_zero_strips_are_refused() {
         assert!(RunOptions { threads: Some(0), ..RunOptions::default() }.check().is_err());
-        assert!(RunOptions { strip_vertices: 0, ..RunOptions::default() }.check().is_err());
+        for division in [Division::Vertices(0), Division::Strips(0)] {
+            assert!(RunOptions { division, ..RunOptions::default() }.check().is_err());
+        }
         assert!(RunOptions::default().check().is_ok());
     }
 }

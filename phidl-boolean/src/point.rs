@@ -53,7 +53,7 @@ pub(crate) fn side(a: GridPoint, b: GridPoint, c: GridPoint) -> Ordering {
 ///
 /// # Examples
 /// ```
-/// use phidl_boolean::{GridPoint, signed_area2};
+/// use phidl_boolean::grid::{GridPoint, signed_area2};
 /// let triangle = [GridPoint::new(0, 0), GridPoint::new(4, 0), GridPoint::new(0, 3)];
 /// assert_eq!(signed_area2(&triangle), 12);
 /// ```

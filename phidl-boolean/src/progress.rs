@@ -26,7 +26,8 @@ type Report = Box<dyn Fn(Progress) + Send + Sync>;
 ///
 /// # Examples
 /// ```
-/// use phidl_boolean::{BooleanError, Contours, Operation, RunOptions, Watch, boolean};
+/// use phidl_boolean::{BooleanError, Operation, RunOptions, Watch};
+/// use phidl_boolean::grid::{Contours, boolean};
 /// let watch = Watch::new();
 /// watch.cancel();
 /// let options = RunOptions { watch: Some(&watch), ..RunOptions::default() };

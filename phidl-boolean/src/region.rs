@@ -23,7 +23,7 @@ use crate::{
 ///
 /// # Examples
 /// ```
-/// use phidl_boolean::{Contours, GridPoint, Region, RunOptions};
+/// use phidl_boolean::{Region, RunOptions, grid::{Contours, GridPoint}};
 /// let square = |low: i64, high: i64| -> Contours {
 ///     [[(low, low), (high, low), (high, high), (low, high)].map(GridPoint::from)].into_iter().collect()
 /// };
@@ -51,15 +51,15 @@ impl Region {
     /// The union of shapes as drawn: of any direction, overlapping, crossing themselves, with repeated points.
     ///
     /// # Errors
-    /// See [`crate::boolean`].
+    /// See [`boolean`](crate::grid::boolean).
     pub fn merged(shapes: &Contours, options: &RunOptions) -> Result<Self, BooleanError> {
-        crate::boolean(shapes, &Contours::new(), Operation::Or, options)
+        crate::grid::boolean(shapes, &Contours::new(), Operation::Or, options)
     }
 
     /// A set operation between two regions.
     ///
     /// # Errors
-    /// See [`crate::boolean`].
+    /// See [`boolean`](crate::grid::boolean).
     pub fn combine(&self, other: &Self, operation: Operation, options: &RunOptions) -> Result<Self, BooleanError> {
         let rule = Rule { operation, fill: Fill::NonZero };
         resolve([Operand::Wound(&self.contours), Operand::Wound(&other.contours)], rule, options)

@@ -24,6 +24,7 @@
 //! | copying, selecting | [`extract`](fn@extract), [`copy_layer`](fn@copy_layer), [`copy`](fn@copy), [`deepcopy`](fn@deepcopy), [`flatten`](fn@flatten) |
 //! | exchanging | [`ports_to_geometry`](fn@ports_to_geometry), [`geometry_to_ports`](fn@geometry_to_ports), [`preview_layerset`](fn@preview_layerset) |
 //! | lettering | [`text`](fn@text) |
+//! | set operations | [`boolean`](fn@boolean), [`offset`](fn@offset), [`outline`], [`invert`], [`xor_diff`], [`union`]; [`kl_boolean`], [`kl_offset`], [`kl_outline`], [`kl_invert`] |
 //!
 //! Names, parameters, defaults, ports and drawn points are PHIDL's, so that a script and its mask carry over. Lengths
 //! are micrometers, angles degrees counter-clockwise; nothing is rounded. A program that names no shape but builds some
@@ -41,6 +42,7 @@ struct ProjectReadme;
 pub mod arguments;
 pub mod arrange;
 pub mod basic;
+pub mod boolean;
 pub mod connect;
 pub mod die;
 pub mod fill;
@@ -56,6 +58,7 @@ pub mod text;
 
 pub use arrange::{GridParams, GridsweepParams, PackerParams, grid, gridsweep, packer};
 pub use basic::*;
+pub use boolean::*;
 pub use connect::{
     CompassMultiParams, CompassParams, ConnectorParams, FlagpoleParams, PolygonPortsParams, TeeParams, compass,
     compass_multi, connector, flagpole, polygon_ports, tee,

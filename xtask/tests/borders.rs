@@ -95,7 +95,7 @@ fn foreign_engines_are_met_in_one_place() {
     let gds: Vec<_> = places_naming("gds21").into_keys().collect();
     assert!(gds.iter().all(|file| file.starts_with("phidl-io/src/gds")), "{gds:?}");
     let overlay: Vec<_> = places_naming("i_overlay").into_keys().collect();
-    assert!(overlay.iter().all(|file| file == Path::new("phidl-boolean/src/engine.rs")), "{overlay:?}");
+    assert!(overlay.is_empty(), "it only checks results, in tests: {overlay:?}");
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::Operand;
+use super::{Operand, free::Free};
 use crate::{
     error::BooleanError,
     point::{GridPoint, cross, signed_area2},
@@ -49,20 +49,21 @@ pub(super) struct Scene {
 }
 
 impl Scene {
-    pub(super) fn gather(operands: &[Operand; 2]) -> Result<Self, BooleanError> {
+    /// Gathers the edges of all contours that are not free.
+    pub(super) fn gather(operands: &[Operand; 2], free: &Free) -> Result<Self, BooleanError> {
         let bound: usize = operands.iter().map(|operand| operand.contours().point_count()).sum();
         if bound >= MAX_EDGES {
             return Err(BooleanError::TooLarge { edges: bound, limit: MAX_EDGES });
         }
         let first_contours = operands[0].contours().len();
         let mut scene = Self {
-            edges: Vec::with_capacity(bound),
-            contour_of: Vec::with_capacity(bound),
+            edges: Vec::with_capacity(bound - free.outlines.point_count().min(bound)),
+            contour_of: Vec::with_capacity(bound - free.outlines.point_count().min(bound)),
             first_contours,
             drawn: operands.map(|operand| matches!(operand, Operand::Drawn(_))),
         };
-        scene.add_operand(operands[0], 0, 0);
-        scene.add_operand(operands[1], 1, first_contours);
+        scene.add_operand(operands[0], 0, 0, free);
+        scene.add_operand(operands[1], 1, first_contours, free);
         Ok(scene)
     }
 
@@ -76,7 +77,7 @@ impl Scene {
         usize::from(contour as usize >= self.first_contours)
     }
 
-    fn add_operand(&mut self, operand: Operand, index: usize, first_contour: usize) {
+    fn add_operand(&mut self, operand: Operand, index: usize, first_contour: usize, free: &Free) {
         let (contours, drawn) = (operand.contours(), self.drawn[index]);
         let jobs = contours.len().div_ceil(CONTOURS_PER_JOB);
         let parts: Vec<(Vec<Edge>, Vec<u32>)> = (0..jobs)
@@ -84,7 +85,7 @@ impl Scene {
             .map(|job| {
                 let range = job * CONTOURS_PER_JOB..((job + 1) * CONTOURS_PER_JOB).min(contours.len());
                 let mut part = (Vec::new(), Vec::new());
-                for contour in range {
+                for contour in range.filter(|contour| !free.contains(first_contour + contour)) {
                     let points = contours.get(contour).unwrap_or_default();
                     let winding = if drawn && signed_area2(points) < 0 { -1 } else { 1 };
                     let before = part.0.len();

@@ -19,6 +19,8 @@
 //!    lies on either side, and for the vertices in it, which boundary edge follows which. An edge that reaches over a
 //!    seam is the same edge on both sides. Outlines are only drawn after that, for the whole plane ([`trace`]).
 //!
+//! Contours that meet nothing take no part in any of this ([`free`]): the sweep only says what lies around them.
+//!
 //! A drawn contour that touches itself is filled on its own between steps 2 and 3, from its bent pieces ([`apart`]):
 //! no second rounding.
 //!
@@ -34,7 +36,10 @@
 mod active;
 mod apart;
 mod edge;
+mod free;
+mod plain;
 mod plan;
+mod raster;
 mod snap;
 mod span;
 mod sweep;
@@ -56,6 +61,7 @@ use crate::{
     region::Region,
 };
 use edge::Scene;
+use free::Free;
 use plan::StripPlan;
 use span::Spans;
 
@@ -104,8 +110,13 @@ pub(crate) fn resolve(operands: [Operand; 2], rule: Rule, options: &RunOptions) 
 }
 
 fn run(operands: [Operand; 2], rule: Rule, options: &RunOptions) -> Result<Region, BooleanError> {
-    let scene = Scene::gather(&operands)?;
-    let plan = StripPlan::new(&scene.edges, options.strip_vertices);
+    run_around(&Free::find(&operands), operands, rule, options)
+}
+
+/// Runs the strips for all contours but the free ones.
+fn run_around(free: &Free, operands: [Operand; 2], rule: Rule, options: &RunOptions) -> Result<Region, BooleanError> {
+    let scene = Scene::gather(&operands, free)?;
+    let plan = StripPlan::new(&scene.edges, options.division);
     let mut work = Work::new(options.watch, 2 * plan.len());
 
     let mut snapped = work.each(plan.len(), |strip| snap::snap_strip(&scene, &plan, strip, &[]))?;
@@ -120,9 +131,11 @@ fn run(operands: [Operand; 2], rule: Rule, options: &RunOptions) -> Result<Regio
     let pieces: Vec<_> = snapped.into_iter().map(|strip| Mutex::new(strip.pieces)).collect();
     let swept = work.each(plan.len(), |strip| {
         let pieces = std::mem::take(&mut *pieces[strip].lock().expect("invariant: each strip is taken once"));
-        sweep::sweep_strip(pieces, &spans, strip, plan.columns(strip).1, rule)
+        let columns = plan.columns(strip);
+        let points = free.in_columns(columns).map(|outline| free.begin(outline));
+        sweep::sweep_strip(pieces, &spans, strip, columns.1, rule, points)
     })?;
-    Ok(trace::trace(&swept, spans.len()))
+    Ok(trace::trace(&swept, spans.len(), free, rule))
 }
 
 /// Runs the strips of a stage in parallel, reports progress and stops when cancelled.
@@ -152,5 +165,68 @@ impl<'a> Work<'a> {
                 Ok(result)
             })
             .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::point::GridPoint;
+    use proptest::prelude::*;
+
+    /// Small shapes scattered over a field with a few large ones: squares, triangles, stars, figure-eights, backwards
+    /// ones. Many meet nothing.
+    fn field() -> impl Strategy<Value = Contours> {
+        let small = (0..30i64, 0..30i64, 1..9i64, 0..6usize).prop_map(|(column, row, size, kind)| {
+            let (x, y) = (10 * column, 10 * row);
+            let s = size;
+            let points = match kind {
+                0 => vec![(0, 0), (s, 0), (s, s), (0, s)],
+                1 => vec![(0, 0), (0, s), (s, s), (s, 0)],
+                2 => vec![(0, 0), (s, 1), (1, s)],
+                3 => vec![(0, 0), (s, s), (s, 0), (0, s)],
+                4 => vec![(0, 0), (9, 3), (4, 4), (3, 9)],
+                _ => vec![(0, 0), (s, 0), (2 * s, 0), (2 * s, s), (0, s)],
+            };
+            points.into_iter().map(|(dx, dy)| GridPoint::new(x + dx, y + dy)).collect::<Vec<_>>()
+        });
+        let large = prop::collection::vec((-20..320i64, -20..320i64).prop_map(GridPoint::from), 3..6);
+        let shapes = (prop::collection::vec(small, 0..60), prop::collection::vec(large, 0..3));
+        shapes.prop_map(|(small, large)| small.into_iter().chain(large).collect())
+    }
+
+    fn same_without_free(operands: [Operand; 2], rule: Rule) -> Result<(), TestCaseError> {
+        let options = RunOptions { division: crate::Division::Strips(7), ..RunOptions::default() };
+        let swept = run_around(&Free::none(&operands), operands, rule, &options).unwrap();
+        prop_assert_eq!(run(operands, rule, &options).unwrap(), swept);
+        Ok(())
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(300))]
+
+        #[test]
+        fn contours_that_meet_nothing_come_out_as_the_sweep_would_draw_them(a in field(), b in field()) {
+            for operation in [Operation::Or, Operation::And, Operation::Not, Operation::NotReversed, Operation::Xor] {
+                let rule = Rule { operation, fill: Fill::NonZero };
+                same_without_free([Operand::Drawn(&a), Operand::Drawn(&b)], rule)?;
+                same_without_free([Operand::Drawn(&a), Operand::Wound(&b)], rule)?;
+            }
+            let rule = Rule { operation: Operation::Or, fill: Fill::Positive };
+            same_without_free([Operand::Wound(&a), Operand::Wound(&Contours::new())], rule)?;
+        }
+    }
+
+    #[test]
+    fn most_of_a_field_is_free_and_what_a_cross_meets_is_not() {
+        let square = |x: i64, y: i64| [(x, y), (x + 5, y), (x + 5, y + 5), (x, y + 5)].map(GridPoint::from).to_vec();
+        let field: Contours = (0..50).flat_map(|x| (0..50).map(move |y| square(10 * x, 10 * y))).collect();
+        let bar = [(248, -9), (252, -9), (252, 509), (248, 509)].map(GridPoint::from);
+        let cross: Contours = [bar.to_vec()].into_iter().collect();
+        let free = Free::find(&[Operand::Drawn(&field), Operand::Drawn(&cross)]);
+        assert_eq!(free.outlines.len(), 49 * 50);
+        let rule = Rule { operation: Operation::Not, fill: Fill::NonZero };
+        let rest = run([Operand::Drawn(&field), Operand::Drawn(&cross)], rule, &RunOptions::default()).unwrap();
+        assert_eq!(rest.area2(), 2 * (25 * 2500 - 50 * 2 * 5));
     }
 }

@@ -6,6 +6,7 @@
 use rayon::prelude::*;
 
 use super::edge::Edge;
+use crate::options::Division;
 
 /// Samples of x per strip from which the borders are chosen.
 const SAMPLES_PER_STRIP: usize = 32;
@@ -30,8 +31,8 @@ pub(super) struct StripPlan {
 }
 
 impl StripPlan {
-    pub(super) fn new(edges: &[Edge], strip_vertices: usize) -> Self {
-        let mut strips = edges.len().div_ceil(strip_vertices).max(1);
+    pub(super) fn new(edges: &[Edge], division: Division) -> Self {
+        let mut strips = division.strips(edges.len());
         loop {
             let firsts = borders(edges, strips);
             let ranges: Vec<(u32, u32)> = edges.par_iter().map(|edge| strip_range(&firsts, edge)).collect();
@@ -133,7 +134,7 @@ mod tests {
     #[test]
     fn every_column_belongs_to_the_strip_that_claims_it() {
         let edges: Vec<_> = (0..100).map(|x| edge(x * 7 % 90, x * 7 % 90 + 3)).collect();
-        let plan = StripPlan::new(&edges, 10);
+        let plan = StripPlan::new(&edges, Division::Vertices(10));
         assert!(plan.len() > 3);
         for strip in 0..plan.len() {
             let (first, last) = plan.columns(strip);
@@ -144,7 +145,7 @@ mod tests {
     #[test]
     fn a_strip_sees_all_edges_that_touch_it_and_no_others() {
         let edges: Vec<_> = (0..100).map(|x| edge(x, x + 2)).collect();
-        let plan = StripPlan::new(&edges, 20);
+        let plan = StripPlan::new(&edges, Division::Vertices(20));
         for strip in 0..plan.len() {
             let (first, last) = plan.columns(strip);
             let touching: Vec<u32> =
@@ -156,7 +157,7 @@ mod tests {
     #[test]
     fn long_edges_make_strips_wider_instead_of_filling_every_strip() {
         let edges: Vec<_> = (0..1000).map(|x| edge(x, x + 100_000)).collect();
-        let plan = StripPlan::new(&edges, 1);
+        let plan = StripPlan::new(&edges, Division::Vertices(1));
         assert!((0..plan.len()).map(|strip| plan.seen(strip).len()).sum::<usize>() <= 2 * edges.len());
     }
 }

@@ -337,7 +337,7 @@ fn better_axis(edges: &[Edge], columns: (i64, i64)) -> Axis {
 }
 
 #[inline]
-fn in_box(e: &Edge, p: GridPoint) -> bool {
+pub(super) fn in_box(e: &Edge, p: GridPoint) -> bool {
     p.x >= e.l.x && p.x <= e.r.x && p.y >= e.l.y.min(e.r.y) && p.y <= e.l.y.max(e.r.y)
 }
 
@@ -348,13 +348,13 @@ fn reach(e: &Edge) -> i128 {
 
 /// Whether the edge passes the half-open square of a point in its box; `d` is `e.cross(point)`.
 #[inline]
-fn passes(e: &Edge, d: i128) -> bool {
+pub(super) fn passes(e: &Edge, d: i128) -> bool {
     let (twice, reach) = (2 * d, reach(e));
     twice.abs() < reach || (twice == reach && e.r.y < e.l.y)
 }
 
 #[inline]
-fn opposite(a: i128, b: i128) -> bool {
+pub(super) fn opposite(a: i128, b: i128) -> bool {
     (a > 0 && b < 0) || (a < 0 && b > 0)
 }
 

@@ -32,6 +32,16 @@ pub(super) struct Swept {
     pub(super) below: Vec<(Name, Name)>,
     /// Boundary edges of this strip that reach over a seam: number of the piece, number of the edge.
     pub(super) spans: Vec<(u32, Name)>,
+    /// What lies around each of the points that were asked for, in their order.
+    pub(super) located: Vec<Located>,
+}
+
+/// What lies around a point that is on no piece.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Located {
+    pub(super) winding: [i32; 2],
+    /// The boundary edge right below.
+    pub(super) below: Option<Name>,
 }
 
 /// Which side of a piece is covered, if not both or neither.
@@ -50,8 +60,15 @@ struct Known {
     name: Name,
 }
 
-/// Sweeps one strip, whose last grid column is `last`.
-pub(super) fn sweep_strip(mut pieces: Vec<Edge>, spans: &Spans, strip: usize, last: i64, rule: Rule) -> Swept {
+/// Sweeps one strip, whose last grid column is `last`, and says what lies around some `points` of it (ascending).
+pub(super) fn sweep_strip(
+    mut pieces: Vec<Edge>,
+    spans: &Spans,
+    strip: usize,
+    last: i64,
+    rule: Rule,
+    points: impl Iterator<Item = GridPoint>,
+) -> Swept {
     pieces.extend_from_slice(spans.owned(strip));
     pieces.sort_unstable_by(left_then_upward);
     merge_coinciding(&mut pieces);
@@ -62,7 +79,7 @@ pub(super) fn sweep_strip(mut pieces: Vec<Edge>, spans: &Spans, strip: usize, la
 
     let mut sweep = Sweep::new(rule, spans, &pieces, last);
     sweep.enter(own, &entering);
-    sweep.run(own);
+    sweep.run(own, points);
     sweep.swept
 }
 
@@ -72,7 +89,7 @@ pub(super) fn boundary(mut pieces: Vec<Edge>, operand: usize, rule: Rule) -> Vec
     merge_coinciding(&mut pieces);
     let spans = Spans::default();
     let mut sweep = Sweep::new(rule, &spans, &pieces, i64::MAX);
-    sweep.run(pieces.len());
+    sweep.run(pieces.len(), std::iter::empty());
     let once = |(piece, known): (&Edge, &Known)| {
         let mut delta = [0, 0];
         delta[operand] = match known.boundary {
@@ -128,7 +145,8 @@ impl<'a> Sweep<'a> {
     }
 
     /// Visits every grid point of the strip at which a piece begins or ends, from left to right and upward.
-    fn run(&mut self, own: usize) {
+    fn run(&mut self, own: usize, points: impl Iterator<Item = GridPoint>) {
+        let mut points = points.peekable();
         let pieces = self.pieces;
         let mut ends: Vec<(GridPoint, u32)> = pieces
             .iter()
@@ -144,8 +162,11 @@ impl<'a> Sweep<'a> {
             let at = match (begin, end) {
                 (Some(begin), Some((end, _))) => begin.min(end),
                 (Some(only), None) | (None, Some((only, _))) => only,
-                (None, None) => return,
+                (None, None) => break,
             };
+            while let Some(point) = points.next_if(|&point| point < at) {
+                self.locate(point);
+            }
             let first = next_piece;
             while next_piece < own && pieces[next_piece].l == at {
                 next_piece += 1;
@@ -156,6 +177,21 @@ impl<'a> Sweep<'a> {
             let ending = end.filter(|&(end, _)| end == at).map(|(_, piece)| piece);
             self.visit(at, first..next_piece, ending);
         }
+        points.for_each(|point| self.locate(point));
+    }
+
+    /// Notes what lies around a point that is on no piece.
+    fn locate(&mut self, point: GridPoint) {
+        let pieces = self.pieces;
+        let place = self.active.search(|piece| pieces[piece as usize].cross(point) > 0);
+        let winding = self.active.below(place).map_or([0, 0], |under| self.known[under as usize].above);
+        self.swept.located.push(Located { winding, below: self.boundary_below(place) });
+    }
+
+    /// The first boundary edge below a place.
+    fn boundary_below(&self, place: Place) -> Option<Name> {
+        let mut below = self.active.all_below(place).map(|piece| self.known[piece as usize]);
+        below.find(|known| known.boundary != Boundary::None).map(|known| known.name)
     }
 
     /// Replaces the pieces that end at a point, of which one may be known, by those that begin there, from bottom to top.
@@ -212,9 +248,8 @@ impl<'a> Sweep<'a> {
     /// If a gap in a covered area begins at this point, notes which boundary edge is right below.
     fn note_gap(&mut self, place: Place) {
         let Some(&(name, false)) = self.around.first() else { return };
-        let mut below = self.active.all_below(place).map(|piece| self.known[piece as usize]);
-        if let Some(known) = below.find(|known| known.boundary != Boundary::None) {
-            self.swept.below.push((name, known.name));
+        if let Some(below) = self.boundary_below(place) {
+            self.swept.below.push((name, below));
         }
     }
 

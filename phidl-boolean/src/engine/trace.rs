@@ -1,6 +1,10 @@
 //! From the facts of all strips to outlines: follow the boundary edges, then give each hole to its outline.
 
-use super::sweep::{Name, SPAN, Swept};
+use super::{
+    Rule,
+    free::Free,
+    sweep::{Located, Name, SPAN, Swept},
+};
 use crate::{
     contours::Contours,
     point::{GridPoint, side, signed_area2},
@@ -9,12 +13,105 @@ use crate::{
 
 const UNKNOWN: u32 = u32::MAX;
 
-/// Draws the region whose boundary edges the strips have found.
-pub(super) fn trace(strips: &[Swept], spans: usize) -> Region {
+/// Draws the region whose boundary edges the strips have found, with the free outlines that bound it.
+pub(super) fn trace(strips: &[Swept], spans: usize, free: &Free, rule: Rule) -> Region {
     let names = Names::new(strips, spans);
     let outlines = Outlines::follow(strips, &names);
     let owners = outlines.owners(strips, &names);
-    outlines.into_region(&owners)
+    let mut assembly = Assembly { outlines: &outlines.contours, free: &free.outlines, parts: Vec::new() };
+    assembly.parts.reserve(owners.len() + free.outlines.len());
+    assembly.parts.extend(owners.iter().zip(0u32..).map(|(&owner, number)| Part {
+        number,
+        kind: if owner == number { Kind::Outer } else { Kind::HoleOf(owner) },
+        is_free: false,
+    }));
+    let located = strips.iter().enumerate().flat_map(|(strip, swept)| swept.located.iter().map(move |l| (strip, l)));
+    for (number, (strip, around)) in (0u32..).zip(located) {
+        let owner = |name| owners[outlines.outline_of[names.number(strip, name) as usize] as usize];
+        if let Some(kind) = free_kind(number, around, free, rule, owner) {
+            assembly.parts.push(Part { number, kind, is_free: true });
+        }
+    }
+    assembly.into_region()
+}
+
+/// What a free outline bounds, if anything.
+fn free_kind(number: u32, around: &Located, free: &Free, rule: Rule, owner: impl Fn(Name) -> u32) -> Option<Kind> {
+    let inside = free.inside(number as usize, around.winding);
+    match (rule.covers(around.winding), rule.covers(inside)) {
+        (false, true) => Some(Kind::Outer),
+        // Around it is covered, so there is a boundary below it.
+        (true, false) => around.below.map(|name| Kind::HoleOf(owner(name))),
+        _ => None,
+    }
+}
+
+/// An outline of the result.
+#[derive(Clone, Copy)]
+struct Part {
+    /// Among the traced outlines, or among the free ones.
+    number: u32,
+    kind: Kind,
+    is_free: bool,
+}
+
+#[derive(Clone, Copy)]
+enum Kind {
+    Outer,
+    /// A hole in a traced outline; free ones have none.
+    HoleOf(u32),
+}
+
+/// Puts traced and free outlines in order.
+struct Assembly<'a> {
+    outlines: &'a Contours,
+    free: &'a Contours,
+    parts: Vec<Part>,
+}
+
+impl Assembly<'_> {
+    fn points(&self, part: Part) -> &[GridPoint] {
+        let from = if part.is_free { self.free } else { self.outlines };
+        from.get(part.number as usize).unwrap_or_default()
+    }
+
+    fn begin(&self, part: Part) -> GridPoint {
+        self.points(part)[0]
+    }
+
+    fn into_region(mut self) -> Region {
+        // Traced outlines that begin in one point keep their order; free ones share no point with others.
+        let mut parts = std::mem::take(&mut self.parts);
+        parts.sort_by_key(|&part| self.begin(part));
+        let mut holes: Vec<(u32, Part)> = parts
+            .iter()
+            .filter_map(|&part| if let Kind::HoleOf(owner) = part.kind { Some((owner, part)) } else { None })
+            .collect();
+        holes.sort_by_key(|&(owner, _)| owner);
+
+        let total = parts.iter().map(|&part| self.points(part).len()).sum();
+        let mut contours = Contours::with_capacity(parts.len(), total);
+        let mut polygons = Vec::with_capacity(parts.len() - holes.len());
+        for &part in parts.iter().filter(|part| matches!(part.kind, Kind::Outer)) {
+            polygons.push(contours.len());
+            contours.push(self.points(part).iter().copied());
+            let own = if part.is_free { 0 } else { holes.partition_point(|&(owner, _)| owner < part.number) };
+            let is_own = |hole: &&(u32, Part)| !part.is_free && hole.0 == part.number;
+            for &(_, hole) in holes[own..].iter().take_while(is_own) {
+                push_hole(&mut contours, self.points(hole), hole.is_free);
+            }
+        }
+        Region::from_parts(contours, polygons)
+    }
+}
+
+/// Free outlines are stored counter-clockwise; as holes they run the other way, from the same point.
+fn push_hole(contours: &mut Contours, points: &[GridPoint], turn: bool) {
+    if turn {
+        contours.push(points[..1].iter().chain(points[1..].iter().rev()).copied());
+    } else {
+        contours.push(points.iter().copied());
+    }
 }
 
 /// Turns the names that the strips use into numbers over all strips.
@@ -115,20 +212,6 @@ impl Outlines {
             owners.push(owner);
         }
         owners
-    }
-
-    fn into_region(self, owners: &[u32]) -> Region {
-        let mut order: Vec<u32> = (0u32..).take(owners.len()).collect();
-        order.sort_by_key(|&outline| owners[outline as usize]); // stable, and an outline precedes its holes
-        let mut contours = Contours::with_capacity(order.len(), self.contours.point_count());
-        let mut polygons = Vec::new();
-        for &outline in &order {
-            if owners[outline as usize] == outline {
-                polygons.push(contours.len());
-            }
-            contours.push(self.contours.get(outline as usize).unwrap_or_default().iter().copied());
-        }
-        Region::from_parts(contours, polygons)
     }
 }
 

@@ -32,7 +32,7 @@ impl Region {
     ///
     /// # Examples
     /// ```
-    /// use phidl_boolean::{Contours, GridPoint, Region, RunOptions, signed_area2};
+    /// use phidl_boolean::{Region, RunOptions, grid::{Contours, GridPoint, signed_area2}};
     /// let square = |low: i64, high: i64| -> Contours {
     ///     [[(low, low), (high, low), (high, high), (low, high)].map(GridPoint::from)].into_iter().collect()
     /// };

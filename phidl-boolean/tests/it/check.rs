@@ -1,6 +1,9 @@
 //! What any region must satisfy, checked the slow and obvious way.
 
-use phidl_boolean::{Contours, GridPoint, Operation, Region, signed_area2};
+use phidl_boolean::{
+    Operation, Region,
+    grid::{Contours, GridPoint, signed_area2},
+};
 
 fn cross(a: GridPoint, b: GridPoint, c: GridPoint) -> i128 {
     i128::from(b.x - a.x) * i128::from(c.y - a.y) - i128::from(b.y - a.y) * i128::from(c.x - a.x)

@@ -2,7 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use phidl_boolean::{Contours, GridPoint, Operation, RunOptions, boolean, signed_area2};
+use phidl_boolean::{
+    Operation, RunOptions,
+    grid::{Contours, GridPoint, boolean, signed_area2},
+};
 use proptest::prelude::*;
 
 use crate::shapes::{any_operation, any_shapes, rectangles};

@@ -1,6 +1,9 @@
 //! Laws that hold for all inputs.
 
-use phidl_boolean::{Contours, GridPoint, Operation, Region, RunOptions, boolean};
+use phidl_boolean::{
+    Division, Operation, Region, RunOptions,
+    grid::{Contours, GridPoint, boolean},
+};
 use proptest::prelude::*;
 
 use crate::{
@@ -9,7 +12,7 @@ use crate::{
 };
 
 fn strips(strip_vertices: usize) -> RunOptions<'static> {
-    RunOptions { strip_vertices, ..RunOptions::default() }
+    RunOptions { division: Division::Vertices(strip_vertices), ..RunOptions::default() }
 }
 
 fn undivided(a: &Contours, b: &Contours, operation: Operation) -> Region {

@@ -1,6 +1,9 @@
 //! Growing and shrinking obey their definition.
 
-use phidl_boolean::{Contours, GridPoint, Join, OffsetOptions, Region, RunOptions, offset};
+use phidl_boolean::{
+    Division, Growth, Join, Region, RunOptions,
+    grid::{Contours, GridPoint, offset},
+};
 use proptest::prelude::*;
 
 use crate::{
@@ -26,7 +29,7 @@ fn shapes() -> impl Strategy<Value = Contours> {
 }
 
 fn moved(shapes: &Contours, distance: f64, join: Join) -> Region {
-    offset(shapes, distance, &OffsetOptions { join, merge_first: true }, &RunOptions::default()).unwrap()
+    offset(shapes, distance, &Growth { join, merge_first: true }, &RunOptions::default()).unwrap()
 }
 
 /// Distance from a point to the nearest edge of a region.
@@ -113,9 +116,9 @@ proptest! {
     fn offsets_do_not_depend_on_strips_threads_or_the_order_of_merging(
         a in shapes(), distance in -30.0..30.0f64, join in any_join(), strip_vertices in 1usize..50,
     ) {
-        let options = OffsetOptions { join, merge_first: true };
-        let whole = offset(&a, distance, &options, &RunOptions { strip_vertices: usize::MAX, ..RunOptions::default() });
-        let divided = offset(&a, distance, &options, &RunOptions { strip_vertices, threads: Some(2), ..RunOptions::default() });
+        let options = Growth { join, merge_first: true };
+        let whole = offset(&a, distance, &options, &RunOptions { division: Division::Vertices(usize::MAX), ..RunOptions::default() });
+        let divided = offset(&a, distance, &options, &RunOptions { division: Division::Vertices(strip_vertices), threads: Some(2), ..RunOptions::default() });
         prop_assert_eq!(whole, divided);
     }
 }

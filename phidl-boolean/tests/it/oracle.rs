@@ -4,7 +4,10 @@ use i_overlay::{
     core::{fill_rule::FillRule, overlay::Overlay, overlay_rule::OverlayRule},
     i_float::int::point::IntPoint,
 };
-use phidl_boolean::{Contours, GridPoint, Operation, Region, RunOptions, boolean};
+use phidl_boolean::{
+    Division, Operation, Region, RunOptions,
+    grid::{Contours, GridPoint, boolean},
+};
 
 use crate::support::confetti;
 
@@ -24,7 +27,7 @@ fn from_oracle(a: &Contours, b: &Contours, rule: OverlayRule) -> Region {
 fn holes_kept(contours: &Contours) -> Region {
     let run = RunOptions::default();
     let part = |sign: i128| -> Contours {
-        let of_sign = |c: &&[GridPoint]| phidl_boolean::signed_area2(c).signum() == sign;
+        let of_sign = |c: &&[GridPoint]| phidl_boolean::grid::signed_area2(c).signum() == sign;
         contours.iter().filter(of_sign).map(<[_]>::to_vec).collect()
     };
     boolean(&part(1), &part(-1), Operation::Not, &run).unwrap()
@@ -45,7 +48,9 @@ fn a_crowded_scene_agrees_with_an_independent_engine() {
         (Operation::NotReversed, OverlayRule::InverseDifference),
         (Operation::Xor, OverlayRule::Xor),
     ] {
-        let ours = boolean(&a, &b, operation, &RunOptions { strip_vertices: 300, ..RunOptions::default() }).unwrap();
+        let ours =
+            boolean(&a, &b, operation, &RunOptions { division: Division::Vertices(300), ..RunOptions::default() })
+                .unwrap();
         let theirs = from_oracle(&a, &b, rule);
         let difference = &ours ^ &theirs;
         assert!(ours.area() > 1e8, "{operation:?} found next to nothing");

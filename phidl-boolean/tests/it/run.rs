@@ -5,7 +5,10 @@ use std::sync::{
     atomic::{AtomicUsize, Ordering},
 };
 
-use phidl_boolean::{BooleanError, Contours, GridPoint, MAX_COORDINATE, Operation, Region, RunOptions, Watch, boolean};
+use phidl_boolean::{
+    BooleanError, Division, Operation, Region, RunOptions, Watch,
+    grid::{Contours, GridPoint, MAX_COORDINATE, boolean},
+};
 
 use crate::support::{apart, confetti};
 
@@ -27,7 +30,7 @@ fn progress_counts_up_to_its_total() {
             seen.fetch_add(1, Ordering::Relaxed);
         }
     });
-    let options = RunOptions { watch: Some(&watch), strip_vertices: 100, ..RunOptions::default() };
+    let options = RunOptions { watch: Some(&watch), division: Division::Vertices(100), ..RunOptions::default() };
     boolean(&confetti(20, 1), &confetti(20, 2), Operation::Xor, &options).unwrap();
     assert_eq!(last.load(Ordering::Relaxed), 1);
 }
@@ -45,7 +48,7 @@ fn an_operation_can_be_cancelled_from_its_own_report() {
             }
         })
     });
-    let options = RunOptions { watch: Some(watch), strip_vertices: 20, ..RunOptions::default() };
+    let options = RunOptions { watch: Some(watch), division: Division::Vertices(20), ..RunOptions::default() };
     let result = boolean(&confetti(20, 1), &confetti(20, 2), Operation::Or, &options);
     assert_eq!(result, Err(BooleanError::Cancelled));
 }

@@ -1,6 +1,9 @@
 //! Shapes for property tests, from tame to nasty.
 
-use phidl_boolean::{Contours, GridPoint, Operation};
+use phidl_boolean::{
+    Operation,
+    grid::{Contours, GridPoint},
+};
 use proptest::prelude::*;
 
 /// Up to `count` polygons with corners anywhere in a square: most cross themselves and repeat points.

@@ -113,23 +113,41 @@ impl Grid {
         steps as f64 / self.per_um
     }
 
+    /// A length (µm) as a real number of steps, without the noise of floating point.
+    #[must_use]
+    pub fn scaled(&self, um: f64) -> f64 {
+        quiet(um * self.per_um)
+    }
+
     /// The coordinate rounded to the grid, as a whole number of steps that may be out of range.
     #[inline]
     fn rounded(&self, um: f64) -> f64 {
-        let exact = um * self.per_um;
-        let parts = exact * NOISE_PARTS;
-        if parts.abs() < QUICKLY {
-            // Both sums are exact but for the rounding that is wanted. `f64::round` is a call into the C library on
-            // most machines, and a file of a million outlines asks for it sixteen million times.
-            let quiet = (parts + TO_WHOLE - TO_WHOLE) / NOISE_PARTS;
-            #[expect(clippy::cast_possible_truncation, reason = "`as` takes the whole part, of a number below 2³¹")]
-            let steps = (quiet + 0.5_f64.copysign(quiet)) as i64;
-            return steps as f64;
-        }
-        // Beyond 2⁵² parts a double holds no half step any more, and there is no noise to remove.
-        let quiet = if parts.abs() < 4.5e15 { parts.round() / NOISE_PARTS } else { exact };
-        quiet.round()
+        whole(um * self.per_um)
     }
+}
+
+/// The whole number that is nearest to a number of steps: noise removed, then halves away from zero. For what is worked
+/// out in steps of a grid already, and in real numbers.
+#[must_use]
+#[inline]
+pub fn whole(steps: f64) -> f64 {
+    let parts = steps * NOISE_PARTS;
+    if parts.abs() < QUICKLY {
+        // Both sums are exact but for the rounding that is wanted. `f64::round` is a call into the C library on
+        // most machines, and a file of a million outlines asks for it sixteen million times.
+        let quiet = (parts + TO_WHOLE - TO_WHOLE) / NOISE_PARTS;
+        #[expect(clippy::cast_possible_truncation, reason = "`as` takes the whole part, of a number below 2³¹")]
+        let steps = (quiet + 0.5_f64.copysign(quiet)) as i64;
+        return steps as f64;
+    }
+    quiet(steps).round()
+}
+
+/// The number without the noise of floating point.
+fn quiet(steps: f64) -> f64 {
+    let parts = steps * NOISE_PARTS;
+    // Beyond 2⁵² parts a double holds no half step any more, and there is no noise to remove.
+    if parts.abs() < 4.5e15 { parts.round() / NOISE_PARTS } else { steps }
 }
 
 #[cfg(test)]
@@ -165,6 +183,14 @@ mod tests {
             }
         }
         assert_eq!(grid.steps(2_147_483_648.5).unwrap(), 2_147_483_649);
+    }
+
+    #[test]
+    fn lengths_keep_their_parts_of_a_step_and_lose_their_noise() {
+        let grid = Grid::new(1e-4).unwrap();
+        assert_eq!(grid.scaled(0.3), 3000.0); // 0.3 / 1e-4 is 2999.9999999999995 in doubles
+        assert_eq!(grid.scaled(0.000_025), 0.25);
+        assert_eq!(whole(-2.5), -3.0);
     }
 
     #[test]

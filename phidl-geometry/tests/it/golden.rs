@@ -1,11 +1,18 @@
 //! Every shape against its reference results.
 
 use phidl_core::runtime::registry;
+use serde_json::Value as Json;
 use testkit::golden::{Case, Kind, assert_all, compare_device, load};
 
 /// Cases of `geometry.json` whose shapes are not written yet are left to the change that writes them.
 fn written() -> Vec<Case> {
-    load(Kind::Geometry).into_iter().filter(|case| registry::find(&case.device).is_ok()).collect()
+    let is_written = |case: &Case| registry::find(&case.device).is_ok() && case.params.values().all(operand_is_written);
+    load(Kind::Geometry).into_iter().filter(is_written).collect()
+}
+
+/// Whether a parameter that names a device names one that is written.
+fn operand_is_written(param: &Json) -> bool {
+    param.get("device").and_then(Json::as_str).is_none_or(|name| registry::find(name).is_ok())
 }
 
 #[test]

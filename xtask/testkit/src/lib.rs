@@ -6,4 +6,5 @@
 pub mod domain;
 pub mod golden;
 pub mod laws;
+pub mod scenes;
 pub mod strategies;

@@ -6,7 +6,8 @@
 //! points, and nothing is rounded. A boolean engine would do the same on a grid; it is only asked to unite contours that
 //! cross or cover each other, as variable fonts have them, since there the boundary of the ink is not drawn yet.
 
-use phidl_boolean::{BooleanError, Grid, GridPoint, Region, RunOptions};
+use phidl_boolean::grid::{self, GridPoint, Region};
+use phidl_boolean::{BooleanError, RunOptions};
 use phidl_core::geom::{Point, Rect, signed_area};
 
 use super::opened;
@@ -173,11 +174,11 @@ fn is_boundary(contour: &[Point], all: &[Vec<Point>]) -> bool {
 
 /// The boundary of what some contours cover by the winding number, on a grid.
 fn united(contours: Vec<Vec<Point>>) -> Result<Vec<Vec<Point>>, BooleanError> {
-    let grid = Grid::new(UNITING)?;
+    let grid = grid::with_step(UNITING)?;
     let outlines = opened::outlines(contours);
-    let shapes = grid.snap(outlines.iter().map(|outline| outline.iter().map(|p| (p.x, p.y))))?;
+    let shapes = grid::snap(&grid, outlines.iter().map(|outline| outline.iter().map(|p| (p.x, p.y))))?;
     let ink = Region::merged(&shapes, &RunOptions::default())?;
-    let corner = |p: &GridPoint| Point::new(grid.coordinate(p.x), grid.coordinate(p.y));
+    let corner = |p: &GridPoint| Point::new(grid.um(p.x), grid.um(p.y));
     Ok(ink.contours().iter().map(|contour| contour.iter().map(corner).collect()).collect())
 }
 

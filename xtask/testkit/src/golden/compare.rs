@@ -7,7 +7,7 @@ use phidl_core::prelude::*;
 use serde::Deserialize;
 use serde_json::Value as Json;
 
-use super::region::{merged_area, xor_area};
+use super::region::{agree_on_grid, merged_area, xor_area};
 use super::{Case, differences};
 
 /// How far a point may be from the reference's (µm), as the design promises.
@@ -48,13 +48,20 @@ struct DescribedPort {
     orientation: f64,
 }
 
+/// The functions whose results are regions on a grid: where an outline begins and where a hole is cut open is nobody's.
+const SET_FUNCTIONS: [&str; 6] = ["boolean", "offset", "outline", "invert", "xor_diff", "union"];
+/// The grid step that they have unless told otherwise (µm).
+const SET_PRECISION: f64 = 1e-4;
+
 /// What of a device is compared.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 enum Extent {
     /// Points in order, hash, box, ports and info.
     All,
     /// The covered region, ports and info.
     Region,
+    /// The covered region and the box to some steps of this grid (µm), ports and info.
+    OnGrid(f64),
     /// Every polygon of the reference is there; ours has glyphs besides. Ports and info.
     Contains,
     /// Ports and info.
@@ -87,6 +94,9 @@ fn check(case: &Case, drawn: Result<Device>) -> Result<(), String> {
         Some("ports") => Extent::Ports,
         Some(other) => return Err(format!("differences.toml compares by {other:?}, which nothing does")),
         None if case.compare.as_deref() == Some("region") => Extent::Region,
+        None if SET_FUNCTIONS.contains(&case.device.as_str()) => {
+            Extent::OnGrid(case.params.get("precision").and_then(Json::as_f64).unwrap_or(SET_PRECISION))
+        }
         None if case.text => Extent::Contains,
         None => Extent::All,
     };
@@ -114,10 +124,11 @@ fn compare(device: &Device, expect: &Json, extent: Extent) -> Result<(), String>
     }
     let drawn = outlines_by_layer(device);
     layers(&drawn, &expected, extent)?;
-    if extent != Extent::All {
-        return Ok(());
+    match extent {
+        Extent::All => bbox(device, expected.bbox, POINT_TOLERANCE)?,
+        Extent::OnGrid(step) => return bbox(device, expected.bbox, 2.0 * step),
+        _ => return Ok(()),
     }
-    bbox(device, expected.bbox)?;
     match expected.hash_geometry {
         Some(hash) if device.hash_geometry(1e-4).as_ref() != Ok(&hash) => Err("hash_geometry differs".to_owned()),
         _ => Ok(()),
@@ -154,6 +165,7 @@ fn layer(outlines: &[Vec<Point>], expected: &DescribedLayer, extent: Extent) -> 
         .map(|outlines| outlines.iter().map(|outline| outline.iter().map(|p| Point::from(*p)).collect()).collect());
     match (extent, points) {
         (Extent::Region, Some(points)) => region(outlines, &points),
+        (Extent::OnGrid(step), Some(points)) => agree_on_grid(outlines, &points, step),
         (Extent::Contains, Some(points)) => contains(outlines, &points).map(drop),
         (_, points) => {
             let vertices: usize = outlines.iter().map(Vec::len).sum();
@@ -209,10 +221,10 @@ fn perimeter(outline: &[Point]) -> f64 {
     (0..outline.len()).map(|i| outline[i].distance(outline[(i + 1) % outline.len()])).sum()
 }
 
-fn bbox(thing: &impl Bounded, expected: Option<[[f64; 2]; 2]>) -> Result<(), String> {
+fn bbox(thing: &impl Bounded, expected: Option<[[f64; 2]; 2]>, tolerance: f64) -> Result<(), String> {
     match (thing.bbox(), expected) {
         (Some(a), Some([min, max]))
-            if a.min.distance(min.into()) <= POINT_TOLERANCE && a.max.distance(max.into()) <= POINT_TOLERANCE =>
+            if a.min.distance(min.into()) <= tolerance && a.max.distance(max.into()) <= tolerance =>
         {
             Ok(())
         }
@@ -278,7 +290,7 @@ fn same_value(ours: &Value, expected: &Json) -> bool {
 /// What differs.
 pub fn compare_reference(reference: &Reference, expect: &Json) -> Result<(), String> {
     let expected = Described::deserialize(expect).map_err(|error| format!("the description is off: {error}"))?;
-    bbox(reference, expected.bbox)?;
+    bbox(reference, expected.bbox, POINT_TOLERANCE)?;
     expected.ports.iter().try_for_each(|(name, expected)| {
         let port = reference.port(name).map_err(|error| error.to_string())?;
         port_matches(&port, expected)

@@ -11,4 +11,4 @@ mod region;
 pub use cases::{Case, Kind, load};
 pub use compare::{assert_all, compare_device, compare_reference};
 pub use differences::{Difference, differences};
-pub use region::{merged_area, xor_area};
+pub use region::{agree_on_grid, merged_area, xor_area};

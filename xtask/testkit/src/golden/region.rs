@@ -2,7 +2,9 @@
 //!
 //! Booleans here are done by a port of Clipper, on a grid of 1e-6 µm: the engine under test would pass anything.
 
-use clipper2_rust::{FillRule, Path64, Paths64, Point64, area_paths, union_subjects_64, xor_64};
+use clipper2_rust::{
+    EndType, FillRule, JoinType, Path64, Paths64, Point64, area_paths, inflate_paths_64, union_subjects_64, xor_64,
+};
 use phidl_core::prelude::*;
 
 /// Steps of the comparing grid in a micrometer.
@@ -25,6 +27,26 @@ pub fn xor_area(a: &[Vec<Point>], b: &[Vec<Point>]) -> f64 {
 /// Where the engine counts from: far away, its areas lose their last digits.
 fn first_point(outlines: &[Vec<Point>]) -> Point {
     outlines.iter().flatten().next().copied().unwrap_or(Point::ORIGIN)
+}
+
+/// Whether two results of a set operation on a grid of `step` µm agree as well as two correct engines do, which round
+/// crossings their own way: they differ by no more than half a step along the outlines, and nowhere by four steps across.
+///
+/// # Errors
+/// How much they differ.
+pub fn agree_on_grid(ours: &[Vec<Point>], expected: &[Vec<Point>], step: f64) -> Result<(), String> {
+    let length = |outline: &Vec<Point>| -> f64 {
+        (0..outline.len()).map(|i| outline[i].distance(outline[(i + 1) % outline.len()])).sum()
+    };
+    let origin = first_point(expected);
+    let difference = xor_64(&to_paths(ours, origin), &to_paths(expected, origin), FillRule::NonZero);
+    let (area, allowed) = (to_um2(&difference), 0.5 * step * expected.iter().map(length).sum::<f64>());
+    if area > allowed {
+        return Err(format!("regions differ by {area} µm², more than {allowed} µm²"));
+    }
+    let core = inflate_paths_64(&difference, -2.0 * step * STEPS, JoinType::Miter, EndType::Polygon, 2.0, 0.0);
+    let core = to_um2(&core);
+    if core > 0.0 { Err(format!("regions differ by more than slivers: by {core} µm² without them")) } else { Ok(()) }
 }
 
 /// Every outline turned counter-clockwise, so that overlaps of differently directed ones do not cancel.
@@ -60,6 +82,15 @@ mod tests {
         let mut backwards = square(1.0);
         backwards.reverse();
         assert!((merged_area(&[square(0.0), backwards]) - 6.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn slivers_of_a_step_agree_and_wider_ones_do_not() {
+        let grown = |by: f64| vec![Rect::new((0.0, 0.0), (2.0, 2.0 + by)).corners().to_vec()];
+        assert_eq!(agree_on_grid(&grown(1e-4), &[square(0.0)], 1e-4), Ok(()));
+        assert!(agree_on_grid(&grown(3e-4), &[square(0.0)], 1e-4).is_err());
+        let speck = Rect::new((5.0, 5.0), (5.0005, 5.0005)).corners().to_vec();
+        assert!(agree_on_grid(&[square(0.0), speck], &[square(0.0)], 1e-4).unwrap_err().contains("slivers"));
     }
 
     #[test]

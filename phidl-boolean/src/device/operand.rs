@@ -1,0 +1,62 @@
+//! [`Operand`]: the shapes of one side of an operation, gathered in a cell.
+
+use phidl_core::geom::Rect;
+use phidl_core::layer::Layer;
+use phidl_core::num::grid::Grid;
+use phidl_core::place::Bounded;
+use phidl_core::port::Port;
+use phidl_core::scene::Device;
+
+use super::Shapes;
+use crate::{
+    error::BooleanError,
+    grid::{Contours, snap_device},
+};
+
+/// Gathered shapes.
+pub(super) struct Operand {
+    cell: Device,
+}
+
+impl Operand {
+    /// Gathers shapes; `name` is what errors call them.
+    pub(super) fn new(name: &str, shapes: &(impl Shapes + ?Sized)) -> Result<Self, BooleanError> {
+        let mut cell = Device::builder(name);
+        shapes.add_to(&mut cell)?;
+        Ok(Self { cell: cell.build()? })
+    }
+
+    /// All shapes, rounded to the grid.
+    pub(super) fn contours(&self, grid: &Grid) -> Result<Contours, BooleanError> {
+        snap_device(grid, &self.cell, None)
+    }
+
+    /// The shapes on one layer, rounded to the grid.
+    pub(super) fn contours_on(&self, grid: &Grid, layer: Layer) -> Result<Contours, BooleanError> {
+        snap_device(grid, &self.cell, Some(layer.into()))
+    }
+
+    /// The layers that something is drawn on, ascending.
+    pub(super) fn layers(&self) -> Vec<Layer> {
+        self.cell.layers()
+    }
+
+    /// The box around everything (µm).
+    pub(super) fn bbox(&self) -> Option<Rect> {
+        self.cell.bbox()
+    }
+
+    /// The ports of the devices and references that were given, not of what is placed below them.
+    pub(super) fn ports(&self) -> Vec<Port> {
+        self.cell.ports_below(Some(1))
+    }
+
+    /// The ports of the only thing that was given, if it was one and has ports.
+    pub(super) fn ports_of_only_element(&self) -> Vec<Port> {
+        let alone = self.cell.polygons().len() == 0;
+        match self.cell.references() {
+            [reference] if alone && reference.array().is_none() => reference.ports().collect(),
+            _ => Vec::new(),
+        }
+    }
+}

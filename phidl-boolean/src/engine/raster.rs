@@ -1,0 +1,252 @@
+//! Which contours have no edge of another one in their box?
+//!
+//! A coarse raster of about one cell for each contour: small contours are entered with their box, large ones edge by
+//! edge, and what shares a cell is compared box by box. Places that are too crowded to compare count as touched, and so
+//! do large contours.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use rayon::prelude::*;
+
+use crate::point::GridPoint;
+
+/// Contours over more cells than this are large.
+const MOST_CELLS: usize = 16;
+
+/// Cells with more entries than this are too crowded to compare.
+const MOST_ENTRIES: usize = 48;
+
+/// The search is given up if there are more entries than this for each edge: many long lines.
+const ENTRIES_PER_EDGE: usize = 4;
+
+/// Sides of the raster are at most this many cells.
+const MOST_COLUMNS: f64 = 4096.0;
+
+/// A box on the grid, its borders included.
+#[derive(Debug, Clone, Copy)]
+struct Box2 {
+    low: GridPoint,
+    high: GridPoint,
+}
+
+impl Box2 {
+    const NOWHERE: Self = Self { low: GridPoint::new(i64::MAX, i64::MAX), high: GridPoint::new(i64::MIN, i64::MIN) };
+
+    fn around(points: &[GridPoint]) -> Self {
+        points.iter().fold(Self::NOWHERE, |b, &p| b.joined(Self { low: p, high: p }))
+    }
+
+    fn joined(self, other: Self) -> Self {
+        Self {
+            low: GridPoint::new(self.low.x.min(other.low.x), self.low.y.min(other.low.y)),
+            high: GridPoint::new(self.high.x.max(other.high.x), self.high.y.max(other.high.y)),
+        }
+    }
+
+    fn is_empty(self) -> bool {
+        self.low.x > self.high.x
+    }
+
+    fn touches(self, other: Self) -> bool {
+        self.low.x <= other.high.x
+            && other.low.x <= self.high.x
+            && self.low.y <= other.high.y
+            && other.low.y <= self.high.y
+    }
+}
+
+/// A small contour, or an edge of a large one.
+#[derive(Clone, Copy)]
+struct Item {
+    bounds: Box2,
+    contour: u32,
+    is_small: bool,
+}
+
+/// Whether each contour is known to have no edge of another one in its box.
+pub(super) fn untouched<T: Sync>(contours: &[(&[GridPoint], T)]) -> Vec<bool> {
+    let boxes: Vec<Box2> = contours.par_iter().map(|(points, _)| Box2::around(points)).collect();
+    let whole = boxes.iter().fold(Box2::NOWHERE, |all, &b| all.joined(b));
+    if whole.is_empty() {
+        return vec![false; contours.len()];
+    }
+    let raster = Raster::new(whole, contours.len());
+    let mut items = Vec::with_capacity(contours.len());
+    let mut is_small = vec![false; contours.len()];
+    for (contour, ((points, _), &bounds)) in (0u32..).zip(contours.iter().zip(&boxes)) {
+        is_small[contour as usize] = !bounds.is_empty() && raster.cells(bounds).count() <= MOST_CELLS;
+        if is_small[contour as usize] {
+            items.push(Item { bounds, contour, is_small: true });
+        } else {
+            items.extend(edge_boxes(points).map(|bounds| Item { bounds, contour, is_small: false }));
+        }
+    }
+    let most = ENTRIES_PER_EDGE * contours.iter().map(|(points, _)| points.len()).sum::<usize>().max(MOST_CELLS);
+    let Some(entries) = Entries::new(&raster, &items, most) else { return vec![false; contours.len()] };
+    let touched: Vec<AtomicBool> = is_small.iter().map(|&small| AtomicBool::new(!small)).collect();
+    entries.cells().for_each(|cell| compare(cell, &items, &touched));
+    touched.into_iter().map(|touched| !touched.into_inner()).collect()
+}
+
+fn edge_boxes(points: &[GridPoint]) -> impl Iterator<Item = Box2> {
+    points.iter().zip(points.iter().cycle().skip(1)).map(|(&a, &b)| Box2::around(&[a, b]))
+}
+
+/// Marks the small contours of a cell that something else touches.
+fn compare(cell: &[u32], items: &[Item], touched: &[AtomicBool]) {
+    let mark = |item: &Item| {
+        if item.is_small {
+            touched[item.contour as usize].store(true, Ordering::Relaxed);
+        }
+    };
+    if cell.len() > MOST_ENTRIES {
+        cell.iter().for_each(|&item| mark(&items[item as usize]));
+        return;
+    }
+    for (position, &a) in cell.iter().enumerate() {
+        let a = &items[a as usize];
+        for &b in &cell[..position] {
+            let b = &items[b as usize];
+            if (a.is_small || b.is_small) && a.bounds.touches(b.bounds) {
+                mark(a);
+                mark(b);
+            }
+        }
+    }
+}
+
+/// The raster over the box of everything.
+struct Raster {
+    low: GridPoint,
+    /// Grid steps of a cell, at least 1.
+    pitch: (i64, i64),
+    columns: usize,
+    rows: usize,
+}
+
+impl Raster {
+    #[expect(
+        clippy::cast_precision_loss,
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "an estimate of a good size; columns and rows are from 1 to 4096"
+    )]
+    fn new(whole: Box2, contours: usize) -> Self {
+        let width = (whole.high.x - whole.low.x + 1) as f64;
+        let height = (whole.high.y - whole.low.y + 1) as f64;
+        let side = (width * height / contours as f64).sqrt().max(1.0);
+        let count = |length: f64| (length / side).ceil().clamp(1.0, MOST_COLUMNS);
+        let (columns, rows) = (count(width), count(height));
+        let pitch = ((width / columns).ceil() as i64, (height / rows).ceil() as i64);
+        Self { low: whole.low, pitch, columns: columns as usize, rows: rows as usize }
+    }
+
+    fn cells(&self, bounds: Box2) -> Cells {
+        let column = |x: i64| usize::try_from((x - self.low.x) / self.pitch.0).unwrap_or(0).min(self.columns - 1);
+        let row = |y: i64| usize::try_from((y - self.low.y) / self.pitch.1).unwrap_or(0).min(self.rows - 1);
+        Cells {
+            columns: (column(bounds.low.x), column(bounds.high.x)),
+            rows: (row(bounds.low.y), row(bounds.high.y)),
+            stride: self.rows,
+        }
+    }
+}
+
+/// The cells that a box touches.
+#[derive(Clone, Copy)]
+struct Cells {
+    columns: (usize, usize),
+    rows: (usize, usize),
+    stride: usize,
+}
+
+impl Cells {
+    fn count(self) -> usize {
+        (self.columns.1 - self.columns.0 + 1) * (self.rows.1 - self.rows.0 + 1)
+    }
+
+    fn for_each(self, mut visit: impl FnMut(usize)) {
+        for column in self.columns.0..=self.columns.1 {
+            for row in self.rows.0..=self.rows.1 {
+                visit(column * self.stride + row);
+            }
+        }
+    }
+}
+
+/// The items of each cell.
+struct Entries {
+    starts: Vec<u32>,
+    items: Vec<u32>,
+}
+
+impl Entries {
+    /// `None` if there would be more than `most`.
+    fn new(raster: &Raster, items: &[Item], most: usize) -> Option<Self> {
+        let total: usize = items.par_iter().map(|item| raster.cells(item.bounds).count()).sum();
+        if total > most || u32::try_from(total).is_err() {
+            return None;
+        }
+        let mut starts = vec![0; raster.columns * raster.rows + 1];
+        for item in items {
+            raster.cells(item.bounds).for_each(|cell| starts[cell] += 1);
+        }
+        let mut sum = 0;
+        for start in &mut starts {
+            sum += *start;
+            *start = sum;
+        }
+        let mut entries = vec![0; total];
+        for (number, item) in (0u32..).zip(items) {
+            raster.cells(item.bounds).for_each(|cell| {
+                starts[cell] -= 1;
+                entries[starts[cell] as usize] = number;
+            });
+        }
+        Some(Self { starts, items: entries })
+    }
+
+    fn cells(&self) -> impl ParallelIterator<Item = &[u32]> {
+        self.starts.par_windows(2).map(|range| &self.items[range[0] as usize..range[1] as usize])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn square(x: i64, y: i64, side: i64) -> Vec<GridPoint> {
+        [(x, y), (x + side, y), (x + side, y + side), (x, y + side)].map(GridPoint::from).to_vec()
+    }
+
+    fn untouched_of(contours: &[Vec<GridPoint>]) -> Vec<bool> {
+        let contours: Vec<(&[GridPoint], ())> = contours.iter().map(|c| (c.as_slice(), ())).collect();
+        untouched(&contours)
+    }
+
+    #[test]
+    fn squares_in_a_field_are_untouched_and_neighbors_that_touch_are_not() {
+        let mut field: Vec<_> = (0..20).flat_map(|x| (0..20).map(move |y| square(10 * x, 10 * y, 8))).collect();
+        assert_eq!(untouched_of(&field), vec![true; 400]);
+        field.push(square(198, 198, 5)); // shares a corner with the last square
+        let found = untouched_of(&field);
+        assert_eq!(found.iter().filter(|&&free| !free).count(), 2);
+        assert!(!found[399] && !found[400]);
+    }
+
+    #[test]
+    fn a_frame_around_a_field_touches_only_what_its_edges_meet() {
+        let mut field: Vec<_> = (0..20).flat_map(|x| (0..20).map(move |y| square(10 * x, 10 * y, 8))).collect();
+        field.push(square(-5, -5, 210));
+        field.push(square(4, -100, 1000)); // its left edge runs through the first column
+        let found = untouched_of(&field);
+        assert_eq!(found.iter().filter(|&&free| free).count(), 380);
+        assert!(found[20..400].iter().all(|&free| free));
+    }
+
+    #[test]
+    fn contours_without_points_are_left_alone() {
+        assert_eq!(untouched_of(&[vec![], square(0, 0, 4), vec![]]), [false, true, false]);
+        assert_eq!(untouched_of(&[]), Vec::<bool>::new());
+    }
+}

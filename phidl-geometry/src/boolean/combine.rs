@@ -1,0 +1,139 @@
+//! [`boolean`](fn@boolean), [`union`] and [`xor_diff`].
+
+use phidl_core::prelude::*;
+use phidl_macros::device;
+
+use super::{Divisions, Elements};
+use crate::basic::{EllipseParams, RectangleParams};
+
+/// Two devices that overlap, for examples.
+pub(super) fn examples() -> (Elements, Elements) {
+    let drawn = |device: Result<Device>| device.map(Elements::from).unwrap_or_default();
+    (drawn(EllipseParams::default().build()), drawn(RectangleParams::default().size((12, 3)).build()))
+}
+
+/// Runs a set operation on two operands: `and`, `or`, `not` (`A-B`), `B-A` or `xor`.
+///
+/// Each operand is the union of its shapes on all layers. Holes of the result are cut open.
+///
+/// # Ports
+/// None.
+///
+/// # Errors
+/// An unknown operation, a coordinate off the grid.
+///
+/// # Examples
+/// ```
+/// # use phidl_core::prelude::*;
+/// # use phidl_geometry as pg;
+/// let (disc, bar) = (pg::circle(5, 2.5, 0)?, pg::rectangle((12, 3), 0)?);
+/// let rest = pg::boolean(&disc, &bar, "not", 1e-4, [1, 1], 4000, 1)?;
+/// assert_eq!(rest.polygons().count(), 1);
+/// # Ok::<(), Error>(())
+/// ```
+///
+/// # Source
+/// Own engine, compatible with PHIDL's `boolean`.
+#[device(example = { let (a, b) = examples(); BooleanParams::new(a, b, "not") })]
+pub fn boolean(
+    /// First operand.
+    #[param(name = "A")]
+    a: Elements,
+    /// Second operand.
+    #[param(name = "B")]
+    b: Elements,
+    /// What to do: `and`, `or` (`A+B`), `not` (`A-B`), `B-A`, `xor`.
+    operation: String,
+    /// Grid step.
+    #[default(1e-4)]
+    #[param(unit = "um", above = 0.0)]
+    precision: f64,
+    /// Parts that the plane is divided into; the result does not depend on it.
+    #[default([1, 1])]
+    num_divisions: Divisions,
+    /// The most points of a polygon; fewer than 5 mean no limit.
+    #[default(4000)]
+    max_points: usize,
+    /// Where the result is drawn.
+    #[default(0)]
+    layer: Layers,
+) -> Result<Device> {
+    let options = num_divisions.options(precision, max_points);
+    Ok(phidl_boolean::boolean(&a, &b, operation.as_str(), layer, &options)?)
+}
+
+/// Merges what overlaps or touches, all layers together or each on its own.
+///
+/// # Ports
+/// None.
+///
+/// # Examples
+/// ```
+/// # use phidl_core::prelude::*;
+/// # use phidl_geometry as pg;
+/// let merged = pg::union([pg::cross(10, 3, 1)?, pg::circle(4, 2.5, 2)?], false, 1e-4, true, 4000, 7)?;
+/// assert_eq!((merged.polygons().count(), merged.layers()), (1, vec![Layer::new(7, 0)]));
+/// # Ok::<(), Error>(())
+/// ```
+///
+/// # Source
+/// Own engine, compatible with PHIDL's `union`.
+#[device(example = UnionParams::new(examples().0))]
+pub fn union(
+    /// What is merged.
+    #[param(name = "D")]
+    d: Elements,
+    /// Each layer on its own and drawn there; `layer` has no say then.
+    #[default(false)]
+    by_layer: bool,
+    /// Grid step.
+    #[default(1e-4)]
+    #[param(unit = "um", above = 0.0)]
+    precision: f64,
+    /// Makes no difference to a union; it is there for scripts that set it.
+    #[default(true)]
+    #[expect(unused_variables, reason = "a union has nothing to do first")]
+    join_first: bool,
+    /// The most points of a polygon; fewer than 5 mean no limit.
+    #[default(4000)]
+    max_points: usize,
+    /// Where the result is drawn.
+    #[default(0)]
+    layer: Layers,
+) -> Result<Device> {
+    let options = Divisions(1, 1).options(precision, max_points);
+    Ok(if by_layer { phidl_boolean::union_by_layer(&d, &options)? } else { phidl_boolean::union(&d, layer, &options)? })
+}
+
+/// Draws what differs between two devices, layer by layer.
+///
+/// # Ports
+/// None.
+///
+/// # Examples
+/// ```
+/// # use phidl_core::prelude::*;
+/// # use phidl_geometry as pg;
+/// let (old, new) = (pg::rectangle((10, 2), 1)?, pg::rectangle((10.5, 2.0), 1)?);
+/// assert_eq!(pg::xor_diff(&old, &new, 1e-4)?.bbox(), Some(Rect::new((10, 0), (10.5, 2.0))));
+/// # Ok::<(), Error>(())
+/// ```
+///
+/// # Source
+/// Own engine, compatible with PHIDL's `xor_diff`.
+#[device(example = { let (a, b) = examples(); XorDiffParams::new(a, b) })]
+pub fn xor_diff(
+    /// One drawing.
+    #[param(name = "A")]
+    a: Elements,
+    /// The other one.
+    #[param(name = "B")]
+    b: Elements,
+    /// Grid step.
+    #[default(1e-4)]
+    #[param(unit = "um", above = 0.0)]
+    precision: f64,
+) -> Result<Device> {
+    let options = phidl_boolean::Options { precision, ..phidl_boolean::Options::default() };
+    Ok(phidl_boolean::xor_diff(&a, &b, &options)?)
+}

@@ -1,0 +1,176 @@
+//! [`kl_boolean`], [`kl_offset`], [`kl_outline`] and [`kl_invert`]: the same engine under KLayout's options.
+
+use phidl_boolean::{Border, KlOptions, OpenPorts};
+use phidl_core::prelude::*;
+use phidl_macros::device;
+
+use super::{Elements, NumCpu, combine::examples};
+
+/// Tile size where nothing else is asked for (µm).
+const TILE: Size = Size { width: 1000.0, height: 1000.0 };
+
+fn options(precision: f64, tile_size: Option<Size>, num_cpu: NumCpu) -> KlOptions<'static> {
+    let tile_size = tile_size.map(|tile| (tile.width, tile.height));
+    KlOptions { precision, tile_size, num_cpu: num_cpu.0, watch: None }
+}
+
+/// Runs a set operation; see [`boolean`](fn@super::boolean).
+///
+/// # Ports
+/// None.
+///
+/// # Source
+/// Own engine, compatible with PHIDL's `kl_boolean`.
+#[device(example = { let (a, b) = examples(); KlBooleanParams::new(a, b, "not") })]
+pub fn kl_boolean(
+    /// First operand.
+    #[param(name = "A")]
+    a: Elements,
+    /// Second operand.
+    #[param(name = "B")]
+    b: Elements,
+    /// What to do: `and`, `or` (`A+B`), `not` (`A-B`), `B-A`, `xor`.
+    operation: String,
+    /// Grid step.
+    #[default(1e-4)]
+    #[param(unit = "um", above = 0.0)]
+    precision: f64,
+    /// About how large the parts are that threads get; none leaves it to the engine. The result does not depend on it.
+    #[default(Some(TILE))]
+    #[param(unit = "um")]
+    tile_size: Option<Size>,
+    /// Makes no difference: results are always merged. It is there for scripts that set it.
+    #[default(true)]
+    #[expect(unused_variables, reason = "there is no other result than the merged one")]
+    merge_after: bool,
+    /// Number of threads; the result does not depend on it.
+    #[default(NumCpu::ALL)]
+    num_cpu: NumCpu,
+    /// Where the result is drawn.
+    #[default(0)]
+    layer: Layers,
+) -> Result<Device> {
+    Ok(phidl_boolean::kl_boolean(&a, &b, operation.as_str(), layer, &options(precision, tile_size, num_cpu))?)
+}
+
+/// Grows or shrinks shapes; see [`offset`](fn@super::offset).
+///
+/// # Ports
+/// None.
+///
+/// # Source
+/// Own engine, compatible with PHIDL's `kl_offset`.
+#[device(example = KlOffsetParams::new(examples().0).distance(1))]
+pub fn kl_offset(
+    /// What is drawn.
+    elements: Elements,
+    /// How far, rounded to whole grid steps; negative goes inside.
+    #[default(0.1)]
+    #[param(unit = "um")]
+    distance: f64,
+    /// Grid step.
+    #[default(1e-4)]
+    #[param(unit = "um", above = 0.0)]
+    precision: f64,
+    /// How corners are cut: 0 straight, 1 keeps 135°, 2 keeps right angles, up to 5.
+    #[default(2)]
+    miter_mode: usize,
+    /// About how large the parts are that threads get; none leaves it to the engine. The result does not depend on it.
+    #[default(Some(TILE))]
+    #[param(unit = "um")]
+    tile_size: Option<Size>,
+    /// Makes no difference: results are always merged. It is there for scripts that set it.
+    #[default(true)]
+    #[expect(unused_variables, reason = "there is no other result than the merged one")]
+    merge_after: bool,
+    /// Number of threads; the result does not depend on it.
+    #[default(NumCpu::ALL)]
+    num_cpu: NumCpu,
+    /// Where the result is drawn.
+    #[default(0)]
+    layer: Layers,
+) -> Result<Device> {
+    let options = options(precision, tile_size, num_cpu);
+    Ok(phidl_boolean::kl_offset(&elements, distance, miter_mode, layer, &options)?)
+}
+
+/// Draws a frame around or inside shapes; see [`outline`](fn@super::outline).
+///
+/// # Ports
+/// Those of a single element, if ports are open.
+///
+/// # Source
+/// Own engine, compatible with PHIDL's `kl_outline`.
+#[device(example = KlOutlineParams::new(examples().0).distance(1))]
+pub fn kl_outline(
+    /// What is drawn.
+    elements: Elements,
+    /// How far, rounded to whole grid steps; negative goes inside.
+    #[default(0.1)]
+    #[param(unit = "um")]
+    distance: f64,
+    /// Whether the frame is open at ports: false, true, or how much wider than the port (µm).
+    #[default(false)]
+    open_ports: OpenPorts,
+    /// Grid step.
+    #[default(1e-4)]
+    #[param(unit = "um", above = 0.0)]
+    precision: f64,
+    /// How corners are cut: 0 straight, 1 keeps 135°, 2 keeps right angles, up to 5.
+    #[default(2)]
+    miter_mode: usize,
+    /// About how large the parts are that threads get; none leaves it to the engine. The result does not depend on it.
+    #[default(Some(TILE))]
+    #[param(unit = "um")]
+    tile_size: Option<Size>,
+    /// Makes no difference: results are always merged. It is there for scripts that set it.
+    #[default(true)]
+    #[expect(unused_variables, reason = "there is no other result than the merged one")]
+    merge_after: bool,
+    /// Number of threads; the result does not depend on it.
+    #[default(NumCpu::ALL)]
+    num_cpu: NumCpu,
+    /// Where the result is drawn.
+    #[default(0)]
+    layer: Layers,
+) -> Result<Device> {
+    let options = options(precision, tile_size, num_cpu);
+    Ok(phidl_boolean::kl_outline(&elements, distance, open_ports, miter_mode, layer, &options)?)
+}
+
+/// Draws what shapes leave free in the box around all of them; see [`invert`](fn@super::invert).
+///
+/// # Ports
+/// None.
+///
+/// # Source
+/// Own engine, compatible with PHIDL's `kl_invert`.
+#[device(example = KlInvertParams::new(examples().0))]
+pub fn kl_invert(
+    /// What is drawn.
+    elements: Elements,
+    /// How far the box reaches beyond the shapes, in all directions or in x and in y.
+    #[default((10, 10))]
+    #[param(unit = "um")]
+    border: Border,
+    /// Grid step.
+    #[default(1e-4)]
+    #[param(unit = "um", above = 0.0)]
+    precision: f64,
+    /// About how large the parts are that threads get; none leaves it to the engine. The result does not depend on it.
+    #[default(Some(TILE))]
+    #[param(unit = "um")]
+    tile_size: Option<Size>,
+    /// Makes no difference: results are always merged. It is there for scripts that set it.
+    #[default(true)]
+    #[expect(unused_variables, reason = "there is no other result than the merged one")]
+    merge_after: bool,
+    /// Number of threads; the result does not depend on it.
+    #[default(NumCpu::ALL)]
+    num_cpu: NumCpu,
+    /// Where the result is drawn.
+    #[default(0)]
+    layer: Layers,
+) -> Result<Device> {
+    Ok(phidl_boolean::kl_invert(&elements, border, layer, &options(precision, tile_size, num_cpu))?)
+}
