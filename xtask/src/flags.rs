@@ -2,7 +2,9 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+use crate::layer_file::LayerFile;
 
 /// Builds masks, and lists and draws devices.
 #[derive(Debug, Parser)]
@@ -22,6 +24,14 @@ pub(crate) enum Command {
     Devices(DevicesFlags),
     /// Draws one device, or with --batch many.
     Device(DeviceFlags),
+    /// Combines two layers of GDSII files.
+    Boolean(BooleanFlags),
+    /// Grows or shrinks a layer of a GDSII file.
+    Offset(OffsetFlags),
+    /// Times booleans and offsets beside KLayout, gdstk and PHIDL on the same files.
+    Compare(CompareFlags),
+    /// Checks booleans and offsets of random shapes against KLayout.
+    Interop(InteropFlags),
 }
 
 /// Flags of `mask`.
@@ -59,4 +69,106 @@ pub(crate) struct DeviceFlags {
     /// The folder for the results of --batch.
     #[arg(long, value_name = "DIR", requires = "batch")]
     pub(crate) out_dir: Option<PathBuf>,
+}
+
+/// Flags of `boolean`.
+#[derive(Debug, Args)]
+pub(crate) struct BooleanFlags {
+    /// The first operand, FILE:LAYER/DATATYPE.
+    #[arg(value_name = "A")]
+    pub(crate) a: LayerFile,
+    /// The second operand.
+    #[arg(value_name = "B")]
+    pub(crate) b: LayerFile,
+    /// What to do: or, and, not (A-B), B-A, xor.
+    #[arg(long, value_name = "OPERATION", allow_hyphen_values = true)]
+    pub(crate) op: String,
+    /// Where the result is written.
+    #[arg(long, value_name = "FILE:LAYER/DATATYPE")]
+    pub(crate) out: LayerFile,
+    /// The cell of the second file; without it, that of --cell.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) cell_b: Option<String>,
+    #[command(flatten)]
+    pub(crate) run: RunFlags,
+}
+
+/// Flags of `offset`.
+#[derive(Debug, Args)]
+pub(crate) struct OffsetFlags {
+    /// What is grown, FILE:LAYER/DATATYPE.
+    #[arg(value_name = "INPUT")]
+    pub(crate) input: LayerFile,
+    /// How far (µm); negative shrinks.
+    #[arg(long, value_name = "UM", allow_hyphen_values = true)]
+    pub(crate) distance: f64,
+    /// Where the result is written.
+    #[arg(long, value_name = "FILE:LAYER/DATATYPE")]
+    pub(crate) out: LayerFile,
+    /// What is put at corners.
+    #[arg(long, value_enum, default_value = "miter")]
+    pub(crate) join: JoinFlag,
+    /// How far a miter may reach, in distances.
+    #[arg(long, value_name = "N", default_value_t = 2.0)]
+    pub(crate) miter_limit: f64,
+    /// Points of a full turn of round joins.
+    #[arg(long, value_name = "N", default_value_t = 64.0)]
+    pub(crate) points_per_turn: f64,
+    #[command(flatten)]
+    pub(crate) run: RunFlags,
+}
+
+/// What `boolean` and `offset` have in common.
+#[derive(Debug, Args)]
+pub(crate) struct RunFlags {
+    /// The cell to read; without a name, the only one at the top of the file.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) cell: Option<String>,
+    /// Number of threads; one for each core if not given.
+    #[arg(long, value_name = "N")]
+    pub(crate) threads: Option<usize>,
+    /// Parts that the plane is divided into; the result does not depend on it.
+    #[arg(long, value_name = "N")]
+    pub(crate) divisions: Option<usize>,
+    /// The grid step of the work and of the result (µm).
+    #[arg(long, value_name = "UM", default_value_t = 1e-4)]
+    pub(crate) precision: f64,
+}
+
+/// What is put at corners.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub(crate) enum JoinFlag {
+    Miter,
+    Bevel,
+    Round,
+}
+
+/// Flags of `compare`.
+#[derive(Debug, Args)]
+pub(crate) struct CompareFlags {
+    /// Only scenes whose name contains this.
+    pub(crate) filter: Option<String>,
+    /// Number of threads, for everyone who can use more than one.
+    #[arg(long, value_name = "N", default_value_t = 2)]
+    pub(crate) threads: usize,
+    /// Everything smaller, to see that it works.
+    #[arg(long)]
+    pub(crate) quick: bool,
+    /// The folder for scenes and the virtual environment.
+    #[arg(long, value_name = "DIR", default_value = "target/compare")]
+    pub(crate) out: PathBuf,
+}
+
+/// Flags of `interop`.
+#[derive(Debug, Args)]
+pub(crate) struct InteropFlags {
+    /// Number of random scenes.
+    #[arg(long, value_name = "N", default_value_t = 20)]
+    pub(crate) scenes: u64,
+    /// Shapes of each kind in a scene.
+    #[arg(long, value_name = "N", default_value_t = 100)]
+    pub(crate) shapes: usize,
+    /// The folder for scenes and the virtual environment.
+    #[arg(long, value_name = "DIR", default_value = "target/compare")]
+    pub(crate) out: PathBuf,
 }

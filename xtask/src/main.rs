@@ -1,14 +1,21 @@
-//! `cargo xtask`: masks of this repository, and the devices that are linked into it.
+//! `cargo xtask`: masks of this repository, the devices that are linked into it, booleans on files, other tools.
 //!
 //! This file only dispatches; the work is in the libraries, where it can be tested.
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "commands talk to whoever typed them")]
 
+mod boolean;
+mod compare;
 mod demo;
 mod device;
 mod devices;
 mod flags;
+mod interop;
+mod layer_file;
 mod mask;
+mod offset;
 mod progress;
+mod python;
+mod stages;
 
 use std::process::ExitCode;
 
@@ -21,6 +28,10 @@ fn main() -> ExitCode {
         Command::Mask(flags) => mask::run(&flags),
         Command::Devices(flags) => devices::run(&flags),
         Command::Device(flags) => device::run(&flags),
+        Command::Boolean(flags) => boolean::run(&flags),
+        Command::Offset(flags) => offset::run(&flags),
+        Command::Compare(flags) => compare::run(&flags),
+        Command::Interop(flags) => interop::run(&flags),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

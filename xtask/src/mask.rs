@@ -29,9 +29,14 @@ const MASKS: [Mask; 1] = [Mask {
     },
 }];
 
+/// The names of all masks.
+pub(crate) fn names() -> [&'static str; MASKS.len()] {
+    MASKS.map(|mask| mask.name)
+}
+
 /// Builds the masks that are named, or all, and prints a summary of each.
 pub(crate) fn run(flags: &MaskFlags) -> anyhow::Result<()> {
-    let known = MASKS.map(|mask| mask.name).join(", ");
+    let known = names().join(", ");
     for name in &flags.names {
         ensure!(MASKS.iter().any(|mask| mask.name == name), "there is no mask {name:?}; known are {known}");
     }

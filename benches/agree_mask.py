@@ -1,6 +1,6 @@
 """Opens a mask in KLayout, gdstk and gdspy and compares what they see with the summary in its metadata.
 
-    python mask.py target/mask/demo/demo.gds target/mask/demo/metadata.json
+    python benches/agree_mask.py target/mask/demo/demo.gds target/mask/demo/metadata.json
 """
 import json
 import math
@@ -87,7 +87,8 @@ def main(gds, metadata):
                     wrong.append(f"{layer}: {seen.get(key)} {key}, the summary says {expected[key]}")
             if not math.isclose(seen.get("area", 0.0), expected["area"], rel_tol=AREA_TOLERANCE, abs_tol=1e-9):
                 wrong.append(f"{layer}: area {seen.get('area')}, the summary says {expected['area']}")
-        print(f"{name:<8} {'agrees' if not wrong else '; '.join(wrong)}")
+        verdict = "agrees with the summary" if not wrong else "; ".join(wrong)
+        print(f"{name:<8} {verdict}", file=sys.stderr if wrong else sys.stdout)
         failures += wrong
     return 1 if failures else 0
 
