@@ -8,6 +8,18 @@ pub trait Transformable {
     /// Puts the thing through a transform, which is finite.
     fn transform_mut(&mut self, by: &Transform);
 
+    /// Turns the thing about a point (degrees, any finite number). A [`Transform`] keeps its angle within one turn, which
+    /// can cost the last bit; whoever must not lose it (a path, whose directions are hashed) turns in its own way.
+    fn rotate_mut(&mut self, degrees: f64, center: Point) {
+        self.transform_mut(&Transform::rotation_about(degrees, center));
+    }
+
+    /// Mirrors the thing at the line through two different points; its own way for the same reason as with
+    /// [`Transformable::rotate_mut`].
+    fn mirror_mut(&mut self, p1: Point, p2: Point) {
+        self.transform_mut(&Transform::reflection(p1, p2));
+    }
+
     /// Keeps the first placement that was refused, until a fallible call can return it.
     ///
     /// Words chain, so they cannot fail in the middle; and a bad value must not pass for a place.

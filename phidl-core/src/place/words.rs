@@ -62,7 +62,7 @@ pub trait Place: Transformable + Bounded {
     fn rotate_about(&mut self, degrees: impl Into<f64>, center: impl Into<Point>) -> &mut Self {
         let (degrees, center) = (degrees.into(), center.into());
         match finite("rotate", degrees).and(finite_point("rotate", center)) {
-            Ok(()) => self.transform_mut(&Transform::rotation_about(degrees, center)),
+            Ok(()) => self.rotate_mut(degrees, center),
             Err(fault) => self.refuse(fault),
         }
         self
@@ -76,7 +76,7 @@ pub trait Place: Transformable + Bounded {
             false => Ok(()),
         };
         match finite_point("mirror", p1).and(finite_point("mirror", p2)).and(line) {
-            Ok(()) => self.transform_mut(&Transform::reflection(p1, p2)),
+            Ok(()) => self.mirror_mut(p1, p2),
             Err(fault) => self.refuse(fault),
         }
         self

@@ -1,0 +1,2 @@
+//! Extrusions and bends, in numbers.
+fn main() {}

@@ -1,0 +1,122 @@
+//! The circular arc.
+
+use phidl_core::Result;
+use phidl_core::geom::Point;
+use phidl_core::num::{angle, count};
+
+use super::{Curve, Part};
+use crate::{ArcBend, Path, rule};
+
+/// An arc from the origin heading right; it turns left if its angle is positive.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Arc {
+    radius: f64,
+    degrees: f64,
+}
+
+/// No chord spans more than this (degrees), however large the tolerance is: a bend stays a bend.
+pub(crate) const WIDEST_CHORD: f64 = 120.0;
+
+impl Path {
+    /// A circular arc from the origin heading right, with 720 points per full turn; a negative angle turns right.
+    /// For other numbers of points see [`ArcBend`].
+    ///
+    /// ```
+    /// # use phidl_path::Path;
+    /// let quarter = Path::arc(10, 90)?;
+    /// assert_eq!((quarter.points().len(), quarter.end_angle()), (180, 90.0));
+    /// assert!(quarter.end().distance((10, 10).into()) < 1e-12);
+    /// # Ok::<(), phidl_core::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Param`](phidl_core::Error::Param) unless the radius (µm) is greater than 0 and the angle (degrees) is
+    /// not 0, both finite.
+    pub fn arc(radius: impl Into<f64>, angle: impl Into<f64>) -> Result<Self> {
+        ArcBend::new().path(radius, angle)
+    }
+}
+
+impl Arc {
+    pub(crate) fn new(radius: f64, degrees: f64) -> Result<Self> {
+        rule::positive_length("arc", "radius", radius)?;
+        rule::turn("arc", degrees)?;
+        Ok(Self { radius, degrees })
+    }
+
+    /// How far it turns, to the left if positive.
+    pub(crate) fn degrees(self) -> f64 {
+        self.degrees
+    }
+
+    /// The arc as the specification samples it: `num_pts` per full turn, cut off to a whole number, and at least the
+    /// two ends (of which the reference leaves out one or both at small angles).
+    pub(crate) fn path(self, num_pts: f64) -> Result<Path> {
+        rule::point_count("arc", num_pts)?;
+        let points: Vec<Point> = self.evenly(count_of(num_pts, self.degrees).max(2)).collect();
+        let part = Part::new(Curve::Arc(self), points.len() - 1);
+        Ok(Path::from_curve(points, vec![part], 0.0, self.degrees))
+    }
+
+    /// The fewest points between the ends, evenly spaced.
+    pub(crate) fn between_ends(self, tolerance: f64) -> Vec<Point> {
+        let fewest = count::up(self.degrees.abs() / WIDEST_CHORD);
+        let chords = count::for_tolerance(self.radius, self.degrees, tolerance).max(fewest);
+        self.evenly(chords + 1).skip(1).take(chords - 1).collect()
+    }
+
+    fn evenly(self, points: usize) -> impl Iterator<Item = Point> {
+        count::linspace(-90.0, -90.0 + self.degrees.abs(), points).map(move |degrees| self.at(degrees))
+    }
+
+    /// The point at an angle about the center (degrees); −90 is the start.
+    fn at(self, degrees: f64) -> Point {
+        let (sin, cos) = angle::sin_cos(degrees);
+        Point::new(self.radius * cos, self.degrees.signum() * self.radius * (sin + 1.0))
+    }
+}
+
+/// Points of a bend at `num_pts` per full turn, cut off.
+pub(crate) fn count_of(num_pts: f64, degrees: f64) -> usize {
+    // The order of operations is the specification's: 720 · 89.99999999999999 / 360 is cut off to 179.
+    count::nearest((num_pts * degrees / 360.0).abs().floor())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_point_has_the_radius_and_the_last_one_the_angle() {
+        for (radius, degrees) in [(10.0, 90.0), (3.0, -250.0), (0.5, 450.0)] {
+            let path = Path::arc(radius, degrees).unwrap();
+            let center = Point::new(0.0, if degrees > 0.0 { radius } else { -radius });
+            assert!(path.points().iter().all(|p| (p.distance(center) - radius).abs() < 1e-12));
+            let out = (path.end() - center).direction();
+            let expected = if degrees > 0.0 { degrees - 90.0 } else { degrees + 90.0 };
+            assert!(angle::between(out, expected) < 1e-9, "{out} {expected}");
+        }
+    }
+
+    #[test]
+    fn a_small_angle_still_has_both_ends() {
+        let path = Path::arc(10, 0.4).unwrap();
+        assert_eq!(path.points().len(), 2);
+        assert!(path.end().distance(Point::new(0.069_812_6, 0.000_243_69)) < 1e-7);
+    }
+
+    #[test]
+    fn an_arc_of_no_radius_or_no_angle_is_refused() {
+        assert_eq!(
+            Path::arc(-2, 90).unwrap_err().to_string(),
+            "arc: radius is -2 µm, but it must be greater than 0 µm and finite"
+        );
+        assert!(Path::arc(0, 90).is_err() && Path::arc(1, 0).is_err() && Path::arc(1, f64::INFINITY).is_err());
+    }
+
+    #[test]
+    fn quarter_turns_end_exactly_on_the_axes() {
+        assert_eq!(Path::arc(10, 90).unwrap().end(), Point::new(10.0, 10.0));
+        assert_eq!(Path::arc(10, -180).unwrap().end(), Point::new(0.0, -20.0));
+    }
+}

@@ -1,0 +1,245 @@
+//! Waypoints with bends at their corners.
+
+use phidl_core::Result;
+use phidl_core::geom::{Outline, Point, Transform};
+use phidl_core::num::angle;
+use phidl_core::place::Place as _;
+
+use crate::bend::{self, Bend};
+use crate::curve::{Curve, Part};
+use crate::miters::REPEATED;
+use crate::{Path, direction, rule};
+
+/// A corner that turns by less than this (degrees) is none.
+const STRAIGHT_ON: f64 = 1e-6;
+
+/// By how much (µm) two bends may share a leg: rounding makes this of legs that are just long enough.
+const ROOM: f64 = 1e-9;
+
+impl Path {
+    /// A path through waypoints (pairs, two coordinate lists, or the points of a path) with a bend of a radius (µm) at
+    /// every corner: [`ArcBend`](crate::ArcBend), [`EulerBend`](crate::EulerBend), or a function from radius and angle
+    /// to a path.
+    ///
+    /// Repeated waypoints and those on a straight line are passed over. There are no points on the straights but the
+    /// ends of the bends, and the first and the last waypoint.
+    ///
+    /// How many points a bend has follows from its angle, cut off: at some orientations a corner of 90° comes out a hair
+    /// smaller and has a point less. [`Path::with_tolerance`] knows no such jumps.
+    ///
+    /// ```
+    /// # use phidl_path::{EulerBend, Path};
+    /// let path = Path::smooth([(20, 10), (40, 10), (20, 40), (50, 40)], 2, EulerBend::new())?;
+    /// assert_eq!((path.start(), path.end()), ((20, 10).into(), (50, 40).into()));
+    /// # Ok::<(), phidl_core::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Param`](phidl_core::Error::Param) if there are fewer than two different waypoints, if the line doubles
+    /// back, or if a leg has no room for its bends; and what the bend refuses.
+    pub fn smooth(waypoints: impl Outline, radius: impl Into<f64>, bend: impl Bend) -> Result<Self> {
+        let given = Self::from_points(waypoints)?;
+        let mut points = given.points().to_vec();
+        points.dedup_by(|next, before| next.distance(*before) <= REPEATED);
+        if points.len() < 2 {
+            return Err(rule::refused("smooth", "points", "one and the same", "be at least two different points"));
+        }
+        let points = corners_only(points);
+        match points.len() {
+            2 => Self::from_points(points),
+            _ => smoothed(&points, radius.into(), &bend),
+        }
+    }
+
+    /// This path, taken as waypoints, with a bend at every corner; see [`Path::smooth`].
+    ///
+    /// # Errors
+    /// As for [`Path::smooth`]; and what was kept before.
+    pub fn smoothed(&self, radius: impl Into<f64>, bend: impl Bend) -> Result<Self> {
+        self.check()?;
+        Self::smooth(self.points(), radius, bend)
+    }
+}
+
+/// The straight pieces between waypoints.
+struct Legs {
+    /// Unit vectors.
+    along: Vec<Point>,
+    lengths: Vec<f64>,
+    /// Directions (degrees).
+    directions: Vec<f64>,
+    /// By how much each corner turns (degrees, in `[-180, 180)`).
+    turns: Vec<f64>,
+}
+
+impl Legs {
+    fn of(points: &[Point]) -> Self {
+        let legs: Vec<Point> = points.windows(2).map(|leg| leg[1] - leg[0]).collect();
+        let lengths: Vec<f64> = legs.iter().map(|leg| leg.norm()).collect();
+        let directions: Vec<f64> = legs.iter().map(|leg| direction::of_leg(*leg)).collect();
+        let turn = |pair: &[f64]| {
+            let turn = pair[1] - pair[0];
+            turn - 360.0 * ((turn + 180.0) / 360.0).floor()
+        };
+        Self {
+            along: legs.iter().zip(&lengths).map(|(leg, length)| *leg / *length).collect(),
+            turns: directions.windows(2).map(turn).collect(),
+            lengths,
+            directions,
+        }
+    }
+}
+
+/// The waypoints without those that lie on a straight line between their neighbors.
+fn corners_only(points: Vec<Point>) -> Vec<Point> {
+    let turns = Legs::of(&points).turns;
+    let last = points.len() - 1;
+    let is_corner = |i: usize| i == 0 || i == last || turns[i - 1].abs() >= STRAIGHT_ON;
+    points.iter().enumerate().filter(|(i, _)| is_corner(*i)).map(|(_, p)| *p).collect()
+}
+
+fn smoothed(points: &[Point], radius: f64, bend: &impl Bend) -> Result<Path> {
+    let legs = Legs::of(points);
+    let mut bends = Vec::with_capacity(legs.turns.len());
+    let mut setbacks = vec![0.0];
+    for (turn, corner) in legs.turns.iter().zip(&points[1..]) {
+        if (turn.abs() - 180.0).abs() < STRAIGHT_ON {
+            return Err(rule::refused("smooth", "points", format!("a line that doubles back at {corner}"), "go on"));
+        }
+        let bend = bend::checked(bend, radius, *turn)?;
+        setbacks.push(setback(&bend, *turn));
+        bends.push(bend);
+    }
+    setbacks.push(0.0);
+    check_room(points, &legs.lengths, &setbacks)?;
+    Ok(assembled(points, &legs, &bends, &setbacks))
+}
+
+/// How far before its corner a bend starts (µm).
+fn setback(bend: &Path, turn: f64) -> f64 {
+    let chord = bend.start().distance(bend.end());
+    let radius = (chord / 2.0 / (turn / 2.0).to_radians().sin()).abs();
+    (radius / ((180.0 - turn) / 2.0).to_radians().tan()).abs()
+}
+
+fn check_room(points: &[Point], lengths: &[f64], setbacks: &[f64]) -> Result<()> {
+    for (i, length) in lengths.iter().enumerate() {
+        let needed = setbacks[i] + setbacks[i + 1];
+        if needed > length + ROOM {
+            let leg = format!("leg from {} to {}", points[i], points[i + 1]);
+            let rule = format!("be at least {needed} µm, to have room for its bends");
+            return Err(rule::refused("smooth", &leg, format!("{length} µm"), rule));
+        }
+    }
+    Ok(())
+}
+
+/// The first waypoint, all bends at their places, and the last waypoint, as one path.
+fn assembled(points: &[Point], legs: &Legs, bends: &[Path], setbacks: &[f64]) -> Path {
+    let mut line = vec![points[0]];
+    let mut parts = Vec::new();
+    for (i, bend) in bends.iter().enumerate() {
+        let start = points[i + 1] - legs.along[i] * setbacks[i + 1];
+        let place = Transform { origin: start, ..Transform::rotation(legs.directions[i]) };
+        let matrix = place.matrix();
+        parts.push(Part { curve: Curve::Line, place, end: line.len() });
+        parts.extend(bend.parts().iter().map(|part| part.moved(line.len(), &place)));
+        line.extend(bend.points().iter().map(|p| matrix.apply(*p)));
+    }
+    let last = legs.directions.len() - 1;
+    parts.push(Part { curve: Curve::Line, place: Transform::rotation(legs.directions[last]), end: line.len() });
+    line.push(points[points.len() - 1]);
+    let start = leg_direction(line[0], line[1], legs.directions[0]);
+    let end = leg_direction(line[line.len() - 2], line[line.len() - 1], legs.directions[last]);
+    let line = Path::from_curve(line, parts, start, end);
+    // The directions of the ends come about in this way in the reference, to the last bit.
+    let mut path = Path::new();
+    path.rotate(legs.directions[0]).append(&line).move_to((0, 0), points[0]);
+    path
+}
+
+/// The direction of the first or last leg as it is left between the bends; where a bend takes it up whole, nothing is
+/// left that has a direction.
+fn leg_direction(from: Point, to: Point, whole_leg: f64) -> f64 {
+    let left = direction::of_segment(from, to);
+    let same = angle::between(left, whole_leg) < STRAIGHT_ON && from.distance(to) > REPEATED;
+    if same { left } else { whole_leg }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{ArcBend, EulerBend};
+
+    const SPEC: [(f64, f64); 5] = [(20., 0.), (40., 0.), (80., 40.), (80., 10.), (100., 10.)];
+
+    #[test]
+    fn smoothed_paths_are_those_of_the_specification() {
+        let cases = [
+            (Path::smooth(SPEC, 2, EulerBend::new().use_eff()), 1079, 39.171_572_875, 121.798_912_206),
+            (Path::smooth(SPEC, 4, ArcBend::new()), 542, 38.343_145_751, 114.790_620_936),
+            (Path::smooth(SPEC, 4, EulerBend::new()), 1079, 36.738_038_622, 110.211_457_752),
+        ];
+        for (path, points, second, length) in cases {
+            let path = path.unwrap();
+            assert_eq!(path.points().len(), points);
+            assert!((path.points()[1].x - second).abs() < 1e-8 && path.points()[1].y == 0.0);
+            assert!((path.length() - length).abs() < 1e-8);
+            assert_eq!(path.raw_angles(), (0.0, 0.0));
+        }
+    }
+
+    #[test]
+    fn few_points_per_turn_give_the_corner_of_the_specification() {
+        let path = Path::smooth([(0, 0), (50, 0), (50, 50)], 5, ArcBend::new().num_pts(16)).unwrap();
+        let expected = [(0., 0.), (45., 0.), (47.5, 0.669_873), (49.330_127, 2.5), (50., 5.), (50., 50.)];
+        assert!(path.points().iter().zip(expected).all(|(p, q)| p.distance(q.into()) < 1e-6));
+    }
+
+    #[test]
+    fn repeated_and_collinear_waypoints_are_passed_over() {
+        let plain = Path::smooth([(0, 0), (0, 100), (50, 100)], 5, ArcBend::new()).unwrap();
+        let full = [(0, 0), (0, 50), (0, 50), (0, 100), (25, 100), (50, 100)];
+        let passed = Path::smooth(full, 5, ArcBend::new()).unwrap();
+        assert_eq!(plain.points(), passed.points());
+    }
+
+    #[test]
+    fn a_bend_that_takes_up_both_legs_fits() {
+        for radius in [1.0, 3.3, 7.0, 12.1, 50.0] {
+            let path = Path::smooth([(0., 0.), (radius, 0.), (radius, radius)], radius, ArcBend::new()).unwrap();
+            assert!((path.length() / radius - std::f64::consts::FRAC_PI_2).abs() < 1e-4);
+            assert_eq!((path.start_angle(), path.end_angle()), (0.0, 90.0));
+        }
+    }
+
+    #[test]
+    fn a_function_can_be_the_bend() {
+        let chamfer = |radius: f64, angle: f64| {
+            Path::from_points([(0, 0).into(), Point::polar(radius, angle / 2.0)]).map(|mut path| {
+                path.set_start_angle(0).set_end_angle(angle);
+                path
+            })
+        };
+        let path = Path::smooth([(0, 0), (10, 0), (10, 10)], 2, chamfer).unwrap();
+        assert_eq!(path.points().len(), 4);
+        assert!((path.points()[2].y - 2.0_f64.sqrt()).abs() < 1e-12);
+    }
+
+    #[test]
+    fn lines_without_room_or_back_to_where_they_came_from_are_refused() {
+        let error = Path::smooth([(0, 0), (3, 0), (3, 9)], 5, ArcBend::new()).unwrap_err();
+        assert!(error.to_string().starts_with("smooth: leg from (0, 0) to (3, 0) is 3 µm, but it must be at least 5"));
+        assert!(Path::smooth([(0, 0), (9, 0), (1, 0)], 1, ArcBend::new()).is_err());
+        assert!(Path::smooth([(1, 1), (1, 1)], 1, ArcBend::new()).is_err());
+    }
+
+    #[test]
+    fn bends_and_straights_come_as_pieces() {
+        let pieces = Path::smooth([(0, 0), (50, 0), (50, 50)], 5, ArcBend::new()).unwrap().pieces();
+        let lengths: Vec<f64> = pieces.iter().map(Path::length).collect();
+        assert_eq!(pieces.len(), 3);
+        assert!((lengths[0] - 45.0).abs() < 1e-9 && (lengths[1] - 7.854).abs() < 1e-3);
+        assert_eq!(pieces[2].start_angle(), 90.0);
+    }
+}

@@ -1,0 +1,6 @@
+//! Tests of the crate from outside: reference results, laws, examples.
+
+mod golden;
+mod hashes;
+mod laws;
+mod simplified;
