@@ -17,8 +17,9 @@ const MARGIN: f64 = 0.1;
 /// Way points at right angles between any two ports turned by a multiple of 90° against each other, with room for a bend
 /// of a radius (µm) at every corner: straight, L, U, J or C, whichever the places of the ports call for.
 ///
-/// Legs between corners are at least `2 · (radius + 0.1)` long, those at the ports `radius + 0.1`. The line crosses
-/// itself only if every line with these legs does, as where the second port lies within the first leg.
+/// Legs between corners are at least `2 · (radius + 0.1)` long, those at the ports `radius + 0.1`. Where it
+/// would cross itself, the shortest line of up to six corners that does not is taken; there is none where, say, the last
+/// leg must cross the first.
 ///
 /// ```
 /// # use phidl_route::path_manhattan;

@@ -1,8 +1,9 @@
 //! The way round where the usual choice crosses itself.
 //!
-//! All lines of a few corners are tried whose legs lie on a small set of coordinates: those of the two ports and up to
-//! four reaches beside them. That is enough for every placement that a search over finer grids found a way for, and it
-//! keeps the result simple; a maze router could do more, but its lines would jump from one placement to the next.
+//! All lines of up to six corners are tried whose legs lie on a small set of coordinates: those of the two ports and up
+//! to four reaches beside them. A maze router on a finer grid could find a way in more placements, but its lines would
+//! jump from one placement to the next; and where the ports are so close that these do not do, the drawn wires would
+//! touch whatever the line does.
 
 use phidl_core::geom::Point;
 

@@ -30,7 +30,7 @@ const NOISE: f64 = 1e-6;
 ///
 /// # Info
 /// `length` (µm), `bends`, `smallest_radius` (µm; null without a bend), and `crossings`: how often the route crosses
-/// itself, which is never if any route with such bends can do without.
+/// itself, which is only where the ports are so close that no line of up to six corners can do without.
 ///
 /// # Errors
 /// The ports must be at right angles to each other (to 0.0005°), the smallest radius at least half the width, so

@@ -41,6 +41,10 @@ fn check_way(case: &Case, kind: &str) -> std::result::Result<(), String> {
     if case.expect.get("error").is_some() {
         return drawn.map_or(Ok(()), |_| Err("the reference refuses it, ours draws it".to_owned()));
     }
+    if kind == "V" && drawn.is_err() {
+        must_be_listed("path_V", "parallel");
+        return Ok(());
+    }
     let ours = drawn.map_err(|error| error.in_full())?;
     let theirs = points(&case.expect["points"]);
     if kind == "manhattan" && crosses_itself(&theirs) {
@@ -55,6 +59,14 @@ fn check_route(case: &Case) -> std::result::Result<(), String> {
     if case.expect.get("error").is_some() {
         return drawn.map_or(Ok(()), |_| Err("the reference refuses it, ours draws it".to_owned()));
     }
+    if case.params.get("path_type").is_some_and(|kind| kind == "V") && way(case, "V").is_err() {
+        must_be_listed("path_V", "parallel");
+        return drawn.map_or(Ok(()), |_| Err("ours draws a V between parallel ports".to_owned()));
+    }
+    if case.function == "route_basic" && !is_ahead(case) {
+        must_be_listed("route_basic.direction", "not in front");
+        return drawn.map_or(Ok(()), |_| Err("ours leaves port1 backwards".to_owned()));
+    }
     if is_entered_from_behind(case) {
         must_be_listed("route.direction", "from behind");
         return drawn.map_or(Ok(()), |_| Err("ours leaves or enters a port from behind".to_owned()));
@@ -62,6 +74,10 @@ fn check_route(case: &Case) -> std::result::Result<(), String> {
     let drawn = drawn.map_err(|error| format!("ours refuses it: {}", error.in_full()))?;
     if case.function == "route_sharp" && sharpest_corner(case) > BEVELED {
         must_be_listed("path.extrude", "more than 168.5 degrees");
+        return check_ports(&drawn, &case.expect["ports"]);
+    }
+    if centerline(&case.expect["layers"]).is_some_and(|line| crosses_itself(&line)) && is_manhattan(case) {
+        must_be_listed("path_manhattan", "crosses itself");
         return check_ports(&drawn, &case.expect["ports"]);
     }
     match case.expect.get("points") {
@@ -119,6 +135,22 @@ fn way(case: &Case, kind: &str) -> Result<Path> {
         "manhattan" => route::path_manhattan(a, b, length("radius", 5.0)),
         other => panic!("unknown way points path_{other}"),
     }
+}
+
+fn is_ahead(case: &Case) -> bool {
+    let (a, b) = (port(&case.params["port1"]), port(&case.params["port2"]));
+    (b.midpoint() - a.midpoint()).dot(a.normal()) > 0.0
+}
+
+fn is_manhattan(case: &Case) -> bool {
+    case.params.get("path_type").is_none_or(|kind| kind == "manhattan") && case.function != "route_xy"
+}
+
+/// The middle of the first outline: its points go forwards on one side and back on the other.
+fn centerline(layers: &Json) -> Option<Vec<Point>> {
+    let outline = points(layers.as_object()?.values().next()?.get("points")?.get(0)?);
+    let (right, left) = outline.split_at(outline.len() / 2);
+    Some(right.iter().zip(left.iter().rev()).map(|(p, q)| (*p + *q) / 2.0).collect())
 }
 
 /// By how much the way of a sharp route turns at the most (degrees).
