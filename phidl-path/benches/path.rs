@@ -1,2 +1,68 @@
-//! Extrusions and bends, in numbers.
-fn main() {}
+//! Extrusions and bends. The figures, beside those of other tools, are in the crate's README.
+
+use std::hint::black_box;
+
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use phidl_core::prelude::*;
+use phidl_path::{CrossSection, EulerBend, Path, Section};
+
+/// Points of the long path.
+const POINTS: u32 = 10_000;
+
+/// A winding line of many points.
+fn winding() -> Path {
+    let points: Vec<Point> =
+        (0..POINTS).map(|i| f64::from(i) * 0.01).map(|t| Point::new(5.0 * t, 20.0 * t.sin())).collect();
+    Path::from_points(points).expect("the points are finite")
+}
+
+/// Three strips of constant width side by side.
+fn three_strips() -> CrossSection {
+    CrossSection::new()
+        .add(Section::new(0.5).layer(1).ports("in", "out"))
+        .add(Section::new(1.0).offset(2).layer(2))
+        .add(Section::new(1.0).offset(-2).layer(3))
+}
+
+/// The same with a width that is a function.
+fn wavy_strip() -> CrossSection {
+    CrossSection::new().add(Section::new(|t: f64| 1.0 + 0.2 * (50.0 * t).cos()).layer(1))
+}
+
+fn extrude(c: &mut Criterion) {
+    let path = winding();
+    let mut group = c.benchmark_group("extrude 10,000 points");
+    group.throughput(Throughput::Elements(POINTS.into()));
+    let (three, wavy) = (three_strips(), wavy_strip());
+    group.bench_function("three sections", |b| b.iter(|| black_box(&path).extrude(&three)));
+    group.bench_function("three sections, checked", |b| b.iter(|| black_box(&path).extrude_checked(&three)));
+    group.bench_function("a width that is a function", |b| b.iter(|| black_box(&path).extrude(&wavy)));
+    group.finish();
+}
+
+fn bends(c: &mut Criterion) {
+    let radii: Vec<f64> = (0..1000).map(|i| 3.0 + 0.01 * f64::from(i)).collect();
+    let mut group = c.benchmark_group("1,000 Euler bends");
+    group.sample_size(20).throughput(Throughput::Elements(1000));
+    let bend = EulerBend::new();
+    group.bench_function("720 points per turn", |b| {
+        b.iter(|| radii.iter().map(|r| bend.path(*r, 90)).collect::<Vec<_>>());
+    });
+    group.bench_function("720 points per turn, extruded", |b| {
+        b.iter(|| radii.iter().map(|r| bend.path(*r, 90)?.extrude_width(0.5, 1)).collect::<Result<Vec<_>>>());
+    });
+    group.bench_function("within 1 nm", |b| {
+        b.iter(|| radii.iter().map(|r| bend.path(*r, 90)?.with_tolerance(1e-3)).collect::<Result<Vec<_>>>());
+    });
+    group.finish();
+}
+
+fn smooth(c: &mut Criterion) {
+    let corners: Vec<Point> = (0..1000)
+        .map(|i| Point::new(f64::from(i / 2) * 40.0, if i % 4 == 0 || i % 4 == 3 { 0.0 } else { 40.0 }))
+        .collect();
+    c.bench_function("smooth 1,000 corners", |b| b.iter(|| Path::smooth(black_box(&corners), 5, EulerBend::new())));
+}
+
+criterion_group!(benches, extrude, bends, smooth);
+criterion_main!(benches);

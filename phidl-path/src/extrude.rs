@@ -101,7 +101,10 @@ impl<'a> Extrusion<'a> {
     /// # Errors
     /// As for [`Path::extrude`].
     pub fn folds(&self) -> Result<Vec<Fold>> {
-        let guide = self.guide()?;
+        self.folds_along(&self.guide()?)
+    }
+
+    fn folds_along(&self, guide: &Guide<'_>) -> Result<Vec<Fold>> {
         let lengths = self.path.lengths();
         let mut folds = Vec::new();
         for (place, section) in self.cross_section.sections().iter().enumerate() {
@@ -122,7 +125,7 @@ impl<'a> Extrusion<'a> {
             rule::length("extrude", "simplify", tolerance)?;
         }
         if self.checked
-            && let Some(fold) = self.folds()?.first()
+            && let Some(fold) = self.folds_along(&guide)?.first()
         {
             return Err(fold.refused(self.cross_section));
         }

@@ -79,7 +79,7 @@ pub(crate) fn of_strip(strip: &Strip<'_>, section: usize, lengths: &[f64]) -> Ve
 fn runs_backwards(strip: &Strip<'_>, side: Side, station: usize) -> bool {
     let (points, vectors) = (&strip.miters.points, &strip.miters.vectors);
     let along = points[station + 1] - points[station];
-    let length = along.norm();
+    let length = along.dot(along).sqrt();
     let (aside, aside_next) = (strip.distance(side, station), strip.distance(side, station + 1));
     if length > REPEATED {
         let edge = along + vectors[station + 1] * aside_next - vectors[station] * aside;

@@ -12,6 +12,7 @@ use phidl_core::param::Value;
 use phidl_core::place::{Bounded, PlaceFault, Transformable};
 
 use crate::curve::{Curve, Part};
+use crate::sampling::MOST_CHORDS;
 use crate::{Piece, direction, rule};
 
 /// A centerline: points from a start to an end, with a direction at both.
@@ -217,7 +218,8 @@ impl Path {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Param`] unless the tolerance is at least 1e-6 µm and finite; and what was kept before.
+    /// [`Error::Param`] unless the tolerance is at least 1e-6 µm, finite, and enough for about a million chords on each
+    /// piece; and what was kept before.
     pub fn with_tolerance(&self, tolerance: impl Into<f64>) -> Result<Self> {
         let tolerance = tolerance.into();
         self.check()?;
@@ -228,13 +230,11 @@ impl Path {
         let mut path = Self { points: vec![self.start()], parts: Vec::new(), ..self.clone() };
         let mut from = 0;
         for part in &self.parts {
-            match part.curve.between_ends(tolerance / part.place.magnification) {
-                None => path.points.extend(&self.points[from + 1..part.end]),
-                Some(points) => {
-                    let matrix = part.place.matrix();
-                    path.points.extend(points.iter().map(|p| matrix.apply(*p)));
-                }
-            }
+            let between = part.between_ends(&self.points[from + 1..part.end], tolerance).ok_or_else(|| {
+                let rule = format!("be enough for at most {MOST_CHORDS} chords on a piece");
+                rule::refused("with_tolerance", "tolerance", format!("{tolerance} µm"), rule)
+            })?;
+            path.points.extend(between);
             path.points.push(self.points[part.end]);
             path.parts.push(Part { end: path.points.len() - 1, ..part.clone() });
             from = part.end;
@@ -404,6 +404,10 @@ mod tests {
         let path = Path::euler(1000, 90).unwrap();
         assert!(path.with_tolerance(0).is_err() && path.with_tolerance(1e-300).is_err());
         assert!(path.with_tolerance(f64::NAN).is_err());
+        for huge in [Path::euler(1e12, 90), Path::arc(1e12, 90)] {
+            let error = huge.unwrap().with_tolerance(1e-6).unwrap_err();
+            assert!(error.to_string().ends_with("be enough for at most 1048576 chords on a piece"));
+        }
     }
 
     #[test]

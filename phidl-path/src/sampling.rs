@@ -27,29 +27,36 @@ const SLACK: f64 = 1e-3;
 /// The most steps in search of one chord.
 const MOST_STEPS: usize = 60;
 
-/// How often the range of tolerances is halved to even the chords out: the last one is then within 1 % of the others.
-const HALVINGS: usize = 8;
+/// How often the range of tolerances is halved to even the chords out: the last one then differs by a few percent, the others by less.
+const HALVINGS: usize = 10;
 
-/// The fewest points strictly between the ends of a curve that keep every chord within `tolerance` (µm, positive).
-pub(crate) fn between_ends(curve: &impl Turning, tolerance: f64) -> Vec<Point> {
-    let knots = evened(curve, tolerance, longest(curve, tolerance));
-    knots.into_iter().map(|t| curve.at(t)).collect()
+/// The most chords on one piece: a file holds fewer points in a thousand polygons.
+pub(crate) const MOST_CHORDS: usize = 1 << 20;
+
+/// The fewest points strictly between the ends of a curve that keep every chord within `tolerance` (µm, positive);
+/// nothing if that takes more than [`MOST_CHORDS`].
+pub(crate) fn between_ends(curve: &impl Turning, tolerance: f64) -> Option<Vec<Point>> {
+    let knots = evened(curve, tolerance, longest(curve, tolerance)?);
+    Some(knots.into_iter().map(|t| curve.at(t)).collect())
 }
 
-/// The inner vertices (parameters) of chords as long as the tolerance lets them be, one after the other.
-fn longest(curve: &impl Turning, tolerance: f64) -> Vec<f64> {
+/// The inner vertices (parameters) of chords as long as the tolerance lets them be, one after the other;
+/// nothing if there are more than [`MOST_CHORDS`].
+fn longest(curve: &impl Turning, tolerance: f64) -> Option<Vec<f64>> {
     let span = curve.span();
     let mut knots = Vec::new();
-    let (mut from, mut guess) = (0.0, span / 16.0);
-    loop {
+    let (mut from, mut guess, mut before) = (0.0, span / 16.0, span / 16.0);
+    while knots.len() < MOST_CHORDS {
         let step = longest_step(curve, from, guess, tolerance);
         if from + step >= span {
-            return knots;
+            return Some(knots);
         }
-        from += step;
-        guess = step;
+        // The next chord will have grown or shrunk about as much as this one.
+        guess = step * (step / before).clamp(0.5, 2.0);
+        (from, before) = (from + step, step);
         knots.push(from);
     }
+    None
 }
 
 /// The same number of chords, made with the smallest tolerance for which it is enough.
@@ -60,11 +67,9 @@ fn evened(curve: &impl Turning, tolerance: f64, longest_ones: Vec<f64>) -> Vec<f
     let mut best = longest_ones;
     for _ in 0..HALVINGS {
         let middle = (few + many) / 2.0;
-        let knots = longest(curve, middle);
-        if knots.len() == number {
-            (few, best) = (middle, knots);
-        } else {
-            many = middle;
+        match longest(curve, middle) {
+            Some(knots) if knots.len() == number => (few, best) = (middle, knots),
+            _ => many = middle,
         }
     }
     best
@@ -88,7 +93,7 @@ fn longest_step(curve: &impl Turning, from: f64, guess: f64, tolerance: f64) -> 
             break;
         }
         // Errors go with the second power of the length, and with the third where the curvature begins at zero.
-        let aimed = step * ((1.0 - SLACK / 2.0) / load).powf(0.4).min(4.0);
+        let aimed = step * ((1.0 - SLACK / 2.0) / load).powf(0.47).min(4.0);
         let next = if aimed > good && aimed < bad { aimed } else { (good + bad) / 2.0 };
         step = next.min(rest);
     }
@@ -107,8 +112,6 @@ fn load(curve: &impl Turning, from: f64, to: f64, tolerance: f64) -> f64 {
 
 /// The largest distance between a stretch of a curve and its chord (µm).
 fn deviation(curve: &impl Turning, from: f64, to: f64) -> f64 {
-    /// Halvings on the way to the farthest point; its distance has the square of their precision.
-    const STEPS: usize = 14;
     let (start, end) = (curve.at(from), curve.at(to));
     let chord = end - start;
     let length = chord.norm();
@@ -120,13 +123,31 @@ fn deviation(curve: &impl Turning, from: f64, to: f64) -> f64 {
         let (sin, cos) = curve.heading(t).sin_cos();
         chord.cross(Point::new(cos, sin))
     };
-    let (mut low, mut high) = (from, to);
-    let side_low = side(low);
+    chord.cross(curve.at(root(side, from, to)) - start).abs() / length
+}
+
+/// Where a function that changes its sign between two parameters is about zero: false position in the Illinois form
+/// (M. Dowell and P. Jarratt, "A modified regula falsi method", BIT 11, 168–174, 1971).
+fn root(f: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
+    /// Enough for three digits; the distance that is read off there has twice as many.
+    const STEPS: usize = 5;
+    let (mut a, mut b) = (from, to);
+    let (mut fa, mut fb) = (f(a), f(b));
+    let mut t = (a + b) / 2.0;
     for _ in 0..STEPS {
-        let middle = (low + high) / 2.0;
-        if side(middle) * side_low > 0.0 { low = middle } else { high = middle }
+        if fa == fb {
+            break;
+        }
+        t = b - fb * (b - a) / (fb - fa);
+        let ft = f(t);
+        if ft * fb < 0.0 {
+            (a, fa) = (b, fb);
+        } else {
+            fa /= 2.0;
+        }
+        (b, fb) = (t, ft);
     }
-    chord.cross(curve.at((low + high) / 2.0) - start).abs() / length
+    t
 }
 
 #[cfg(test)]
@@ -168,7 +189,7 @@ mod tests {
     }
 
     fn check(curve: &impl Turning, tolerance: f64) {
-        let long = longest(curve, tolerance);
+        let long = longest(curve, tolerance).unwrap();
         let even = evened(curve, tolerance, long.clone());
         let best = fewest(curve, tolerance);
         for knots in [long, even] {

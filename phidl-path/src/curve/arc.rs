@@ -5,6 +5,7 @@ use phidl_core::geom::Point;
 use phidl_core::num::{angle, count};
 
 use super::{Curve, Part};
+use crate::sampling::MOST_CHORDS;
 use crate::{ArcBend, Path, rule};
 
 /// An arc from the origin heading right; it turns left if its angle is positive.
@@ -58,11 +59,11 @@ impl Arc {
         Ok(Path::from_curve(points, vec![part], 0.0, self.degrees))
     }
 
-    /// The fewest points between the ends, evenly spaced.
-    pub(crate) fn between_ends(self, tolerance: f64) -> Vec<Point> {
+    /// The fewest points between the ends, evenly spaced; nothing if that is too many.
+    pub(crate) fn between_ends(self, tolerance: f64) -> Option<Vec<Point>> {
         let fewest = count::up(self.degrees.abs() / WIDEST_CHORD);
         let chords = count::for_tolerance(self.radius, self.degrees, tolerance).max(fewest);
-        self.evenly(chords + 1).skip(1).take(chords - 1).collect()
+        (chords <= MOST_CHORDS).then(|| self.evenly(chords + 1).skip(1).take(chords - 1).collect())
     }
 
     fn evenly(self, points: usize) -> impl Iterator<Item = Point> {

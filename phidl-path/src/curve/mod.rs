@@ -36,15 +36,14 @@ pub(crate) enum Curve {
 }
 
 impl Curve {
-    /// The fewest points strictly between the ends that keep every chord within `tolerance` of the curve, or `None` if
-    /// the points that are there are the curve.
-    pub(crate) fn between_ends(&self, tolerance: f64) -> Option<Vec<Point>> {
+    /// The fewest points strictly between the ends that keep every chord within `tolerance` of the curve, in its own
+    /// coordinates; nothing if that is too many. A list of points has none but its own.
+    fn between_ends(&self, tolerance: f64) -> Option<Vec<Point>> {
         match self {
-            Self::Points => None,
-            Self::Line => Some(Vec::new()),
-            Self::Arc(arc) => Some(arc.between_ends(tolerance)),
-            Self::Euler(euler) => Some(sampling::between_ends(euler, tolerance)),
-            Self::Arm(arm) => Some(sampling::between_ends(arm, tolerance)),
+            Self::Points | Self::Line => Some(Vec::new()),
+            Self::Arc(arc) => arc.between_ends(tolerance),
+            Self::Euler(euler) => sampling::between_ends(euler, tolerance),
+            Self::Arm(arm) => sampling::between_ends(arm, tolerance),
         }
     }
 
@@ -74,6 +73,17 @@ pub(crate) struct Part {
 impl Part {
     pub(crate) fn new(curve: Curve, end: usize) -> Self {
         Self { curve, place: Transform::IDENTITY, end }
+    }
+
+    /// The fewest points strictly between the ends that keep the tolerance; those that are `given` stay if the part is
+    /// nothing but its points. Nothing if that is too many.
+    pub(crate) fn between_ends(&self, given: &[Point], tolerance: f64) -> Option<Vec<Point>> {
+        if self.curve == Curve::Points {
+            return Some(given.to_vec());
+        }
+        let matrix = self.place.matrix();
+        let own = self.curve.between_ends(tolerance / self.place.magnification)?;
+        Some(own.into_iter().map(|p| matrix.apply(p)).collect())
     }
 
     /// The same part further on in a path, put through a transform.

@@ -1,0 +1,34 @@
+//! Bends in numbers: curvature, length, and how many points they need.
+
+use phidl_core::prelude::*;
+use phidl_path::{ArcBend, CrossSection, EulerBend, Extrusion, Path, Spiral};
+
+/// One line about a bend.
+#[expect(clippy::print_stdout, reason = "an example shows what it did")]
+fn tell(name: &str, path: &Path) -> Result<()> {
+    let (_, curvature) = path.curvature()?;
+    let tightest = curvature.iter().fold(0.0, |most: f64, k| most.max(k.abs()));
+    let few = path.with_tolerance(0.001)?.points().len();
+    let (points, length) = (path.points().len(), path.length());
+    println!("{name:<24} {length:8.3} µm long, radius {:6.3} µm, {points} points, {few} within 1 nm", 1.0 / tightest);
+    Ok(())
+}
+
+/// Prints a table of bends, and where a strip that is too wide folds.
+#[expect(clippy::print_stdout, reason = "an example shows what it did")]
+pub(crate) fn main() -> Result<()> {
+    tell("arc", &ArcBend::new().path(10, 90)?)?;
+    tell("Euler bend", &EulerBend::new().use_eff().path(10, 90)?)?;
+    tell("half Euler bend", &EulerBend::new().p(0.5).use_eff().path(10, 90)?)?;
+    tell("spiral", &Spiral { num_turns: 4.0, gap: 3.0, inner_gap: 9.0, num_pts: 4000.0 }.path()?)?;
+
+    let (path, wide) = (Path::arc(5, 90)?, CrossSection::of_width(12, 1));
+    for fold in Extrusion::new(&path, &wide).folds()? {
+        println!("a strip of 12 µm folds on the {} from {:.2} to {:.2} µm", fold.side, fold.from, fold.to);
+    }
+    match path.extrude_checked(&wide) {
+        Ok(_) => println!("it can be drawn"),
+        Err(error) => println!("refused: {error}"),
+    }
+    Ok(())
+}
