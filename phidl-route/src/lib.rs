@@ -59,3 +59,8 @@ pub use smooth::{RouteSmoothParams, route_smooth};
 pub use way::PathType;
 pub use width::RouteWidth;
 pub use xy::{RouteXyParams, path_xy, route_xy};
+
+/// The README's example, kept true by the documentation tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -149,11 +149,18 @@ proptest! {
     ) {
         let plain = manhattan_centerline(&ports[0], &ports[1], bend, radius).unwrap().length();
         let length = plain + more;
-        let Ok(path) = serpentine_centerline(&ports[0], &ports[1], length, bend, radius) else { return Ok(()) };
+        let path = match serpentine_centerline(&ports[0], &ports[1], length, bend, radius) {
+            Ok(path) => path,
+            Err(error) => {
+                let text = error.to_string();
+                let told = text.contains("are missing") || text.contains("leave one side");
+                prop_assert!(told && text.contains("port1 at") && text.contains("port2 at"), "{text}");
+                return Ok(());
+            }
+        };
         faces(&path, &ports)?;
         prop_assert!((path.length() - length).abs() <= 1e-4, "{} instead of {length}", path.length());
-        let slack = if bend == RouteBend::Euler { f64::INFINITY } else { 1e-4 };
-        prop_assert!(slack.is_infinite() || tightest(&path) >= radius * (1.0 - slack));
+        prop_assert!(bend == RouteBend::Euler || tightest(&path) >= radius * (1.0 - 1e-4));
         let route = RouteSerpentineParams::new(&ports[0], &ports[1], length).bend(bend).radius(radius);
         if let Ok(route) = route.build_uncached() {
             meets(&route, &ports, [ports[0].width(); 2])?;
