@@ -30,7 +30,7 @@ pub(crate) enum Command {
     Offset(OffsetFlags),
     /// Times booleans and offsets beside KLayout, gdstk and PHIDL on the same files.
     Compare(CompareFlags),
-    /// Checks booleans and offsets of random shapes against KLayout.
+    /// Opens the masks in KLayout, gdstk and gdspy, and checks booleans and offsets of random shapes against KLayout.
     Interop(InteropFlags),
 }
 

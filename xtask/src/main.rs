@@ -22,6 +22,7 @@ use std::process::ExitCode;
 use clap::Parser;
 use flags::{Command, Flags};
 use phidl_geometry as _;
+use phidl_route as _;
 
 fn main() -> ExitCode {
     let result = match Flags::parse().command {

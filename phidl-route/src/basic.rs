@@ -1,0 +1,246 @@
+//! [`route_basic`].
+
+use std::f64::consts::PI;
+
+use phidl_core::num::{angle, count};
+use phidl_core::param::Check;
+use phidl_core::prelude::*;
+use phidl_macros::{Choice, device};
+
+use crate::request::{Request, left_of, opposite};
+
+/// How something changes between the ends of a [`route_basic`](fn@route_basic).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Choice)]
+pub enum Course {
+    /// As a raised cosine: without a kink at either end.
+    #[default]
+    Sine,
+    /// In proportion.
+    Straight,
+}
+
+impl Course {
+    /// The part of the change that is done at a part `t` of the way.
+    fn done(self, t: f64) -> f64 {
+        match self {
+            Self::Straight => t,
+            Self::Sine => (1.0 - (PI * t).cos()) / 2.0,
+        }
+    }
+}
+
+/// How far a chord may be from the line (µm), measured in the middle of its `t`; the reference's number.
+const CHORD: f64 = 0.01;
+/// How often a chord is halved at the most: it bounds the memory for lines that go aside by meters.
+const HALVINGS: u32 = 12;
+
+/// Draws a single smooth piece between two ports that look at each other; they need not lie on one axis.
+///
+/// ```text
+///              ╭────┤ port2
+///            ╱
+///   port1 ├─╯
+/// ```
+///
+/// # Ports
+/// `1` on `port1`, as wide as the piece starts, and `2` on `port2`, as wide as it ends, facing them.
+///
+/// # Info
+/// `length` of the centerline through its points (µm); `bends`: 2, or 0 if it is straight; `smallest_radius` of the
+/// curve: 2F²/(π²|L|) at both ends, for a piece that goes F forwards and L aside (µm; null if it is straight).
+///
+/// # Errors
+/// The ports must be turned by 180° against each other (to 0.0005°), `port2` in front of `port1`.
+///
+/// # Numerics
+/// In the frame of `port1`, with t from 0 to 1, a sine is (F t, L (1 − cos πt)/2), and its width is measured square to
+/// it. A straight piece is (F t, L t), but its width is measured square to the ports, which makes its ends meet them.
+/// There are `num_path_pts` values of t, evenly spaced, and where the line is more than 10 nm off the middle of a chord,
+/// those halfway between, as often as needed. The outline runs forwards on the left and back on the right.
+///
+/// # Examples
+/// ```
+/// # use phidl_core::prelude::*;
+/// # use phidl_route::{Course, route_basic};
+/// let s_bend = route_basic(((0, 0), 1, 0), ((40, 10), 2, 180), Course::Sine, Course::Straight, None, None, 99)?;
+/// assert_eq!(s_bend.port("2")?.width(), 2.0);
+/// # Ok::<(), Error>(())
+/// ```
+///
+/// # Source
+/// Own design, compatible with PHIDL 1.5's `route_basic`.
+#[device(example = RouteBasicParams::new(((0, 0), 1, 0), ((40, 10), 2, 180)))]
+pub fn route_basic(
+    /// Where it starts.
+    port1: Port,
+    /// Where it ends.
+    port2: Port,
+    /// How the centerline goes aside.
+    #[default(Course::Sine)]
+    path_type: Course,
+    /// How the width changes.
+    #[default(Course::Straight)]
+    width_type: Course,
+    /// Width at the start, that of `port1` if not given.
+    #[default(None)]
+    #[param(unit = "um", min = 0.0)]
+    width1: Option<f64>,
+    /// Width at the end, that of `port2` if not given.
+    #[default(None)]
+    #[param(unit = "um", min = 0.0)]
+    width2: Option<f64>,
+    /// Number of points of the centerline, at least 2; more are added where the line asks for them.
+    #[default(99)]
+    num_path_pts: usize,
+    /// Where it is drawn.
+    #[default(0)]
+    #[param(named)]
+    layer: Layers,
+) -> Result<Device> {
+    let check = Check::device("route_basic");
+    check.at_least("num_path_pts", num_path_pts, 2)?;
+    check.at_most("num_path_pts", num_path_pts, count::MOST)?;
+    let request = Request::new("route_basic", &port1, &port2)?;
+    let line = Line::between(&request, path_type)?;
+    let widths = [width1.unwrap_or(port1.width()), width2.unwrap_or(port2.width())];
+    let stations = line.stations(num_path_pts);
+
+    let mut d = Device::builder("route_basic");
+    d.add_polygon(
+        line.outline(&request, &stations, |t| widths[0] + (widths[1] - widths[0]) * width_type.done(t)),
+        layer,
+    )?;
+    d.add_port("1", port1.flipped().with_width(widths[0]))?;
+    d.add_port("2", (port2.midpoint(), widths[1], port1.orientation()))?;
+    let points: Vec<Point> = stations.iter().map(|t| line.at(*t)).collect();
+    let length: f64 = points.windows(2).map(|chord| chord[0].distance(chord[1])).sum();
+    let radius = line.smallest_radius();
+    d.info("length", length).info("bends", if radius.is_some() { 2 } else { 0 }).info("smallest_radius", radius);
+    d.build()
+}
+
+/// A centerline in the frame of the first port.
+struct Line {
+    forwards: f64,
+    aside: f64,
+    course: Course,
+}
+
+impl Line {
+    fn between(request: &Request<'_>, course: Course) -> Result<Self> {
+        if !opposite(request.port1, request.port2) {
+            let turn = angle::between(request.port1.orientation(), request.port2.orientation());
+            return Err(request.refused(format_args!("a turn of {turn}°"), "be between ports turned by 180°"));
+        }
+        let forwards = request.ahead();
+        match forwards > 0.0 {
+            true => Ok(Self { forwards, aside: request.aside(), course }),
+            false => Err(request.missing("a way ahead", forwards, f64::MIN_POSITIVE)),
+        }
+    }
+
+    fn at(&self, t: f64) -> Point {
+        Point::new(self.forwards * t, self.aside * self.course.done(t))
+    }
+
+    /// The unit vector to the left, across which the width is measured.
+    fn left_at(&self, t: f64) -> Point {
+        let along = match self.course {
+            Course::Straight => Point::new(self.forwards, 0.0),
+            Course::Sine => Point::new(self.forwards, self.aside * PI * (PI * t).sin() / 2.0),
+        };
+        left_of(along / along.norm())
+    }
+
+    /// Where it has points.
+    fn stations(&self, num_path_pts: usize) -> Vec<f64> {
+        let mut stations: Vec<f64> = Vec::with_capacity(num_path_pts);
+        for t in count::linspace(0.0, 1.0, num_path_pts) {
+            if let Some(before) = stations.last().copied() {
+                self.halve(before, t, HALVINGS, &mut stations);
+            }
+            stations.push(t);
+        }
+        stations
+    }
+
+    /// Adds the points between two, as many as keep the chords close to the line.
+    fn halve(&self, from: f64, to: f64, most: u32, stations: &mut Vec<f64>) {
+        let middle = (from + to) / 2.0;
+        let chord = (self.at(from) + self.at(to)) / 2.0;
+        if most > 0 && chord.distance(self.at(middle)) > CHORD {
+            self.halve(from, middle, most - 1, stations);
+            stations.push(middle);
+            self.halve(middle, to, most - 1, stations);
+        }
+    }
+
+    /// Forwards on the left, back on the right.
+    fn outline(&self, request: &Request<'_>, stations: &[f64], width: impl Fn(f64) -> f64) -> Vec<Point> {
+        let place = |p: Point| request.port1.midpoint() + request.forward1 * p.x + request.left1 * p.y;
+        let edge = |side: f64| {
+            let at = |t: &f64| place(self.at(*t) + self.left_at(*t) * (side * width(*t) / 2.0));
+            stations.iter().map(at).collect::<Vec<Point>>()
+        };
+        let (mut outline, right) = (edge(1.0), edge(-1.0));
+        outline.extend(right.into_iter().rev());
+        outline
+    }
+
+    /// The curvature L π² cos(πt) / 2F² over the third power of the slope's length is largest at the ends, where the
+    /// slope is along the axis.
+    fn smallest_radius(&self) -> Option<f64> {
+        let bent = self.course == Course::Sine && self.aside != 0.0;
+        bent.then(|| 2.0 * self.forwards.powi(2) / (PI.powi(2) * self.aside.abs()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn to(x: f64, y: f64, orientation: f64) -> Result<Device> {
+        RouteBasicParams::new(((0, 0), 1, 0), ((x, y), 2, orientation)).build()
+    }
+
+    #[test]
+    fn a_straight_piece_has_the_area_of_a_trapezoid_and_ends_square_to_its_ports() {
+        let params = RouteBasicParams::new(((0, 0), 1, 0), ((10, 4), 3, 180)).path_type(Course::Straight);
+        let d = params.num_path_pts(2).build().unwrap();
+        let outline = d.polygons().next().unwrap();
+        let expected = [(0.0, 0.5), (10.0, 5.5), (10.0, 2.5), (0.0, -0.5)].map(Point::from);
+        assert!(outline.points.iter().zip(expected).all(|(p, q)| p.distance(q) < 1e-12));
+        assert!((outline.area() - 20.0).abs() < 1e-12);
+        assert_eq!(d.info()["bends"].as_f64(), Some(0.0));
+    }
+
+    #[test]
+    fn the_smallest_radius_is_that_of_the_circle_through_the_first_points() {
+        let d = to(40.0, 10.0, 180.0).unwrap();
+        let line = Line { forwards: 40.0, aside: 10.0, course: Course::Sine };
+        let p = line.at(1e-3);
+        // A circle that leaves the origin along x goes through (x, y) if its radius is (x² + y²) / 2y.
+        let radius = (p.x * p.x + p.y * p.y) / (2.0 * p.y);
+        assert!((d.info()["smallest_radius"].as_f64().unwrap() - radius).abs() < 1e-3 * radius);
+    }
+
+    #[test]
+    fn chords_stay_close_to_the_line_however_few_points_are_asked_for() {
+        let line = Line { forwards: 30.0, aside: 40.0, course: Course::Sine };
+        let stations = line.stations(5);
+        for pair in stations.windows(2) {
+            let chord = (line.at(pair[0]) + line.at(pair[1])) / 2.0;
+            assert!(chord.distance(line.at((pair[0] + pair[1]) / 2.0)) <= 0.01);
+        }
+        assert!(stations.is_sorted() && stations.len() > 5);
+    }
+
+    #[test]
+    fn ports_that_do_not_look_at_each_other_are_refused() {
+        assert!(to(40.0, 10.0, 170.0).is_err() && to(40.0, 10.0, 0.0).is_err());
+        assert!(to(40.0, 10.0, 180.0004).is_ok());
+        let error = to(-3.0, 1.0, 180.0).unwrap_err().to_string();
+        assert!(error.contains("a way ahead of -3 µm") && error.contains("3 µm are missing"), "{error}");
+        assert!(RouteBasicParams::new(((0, 0), 1, 0), ((9, 0), 1, 180)).num_path_pts(1).build().is_err());
+    }
+}

@@ -1,0 +1,155 @@
+//! The chooser: way points with right angles between any two ports that allow them.
+//!
+//! The rules are the reference's, which always find legs that are long enough. Where the line that they choose crosses
+//! itself, the shortest one that does not is taken instead, if there is any (see [`detour`](super::detour)).
+
+use phidl_core::Result;
+use phidl_core::geom::Point;
+use phidl_core::port::Port;
+use phidl_path::Path;
+
+use super::{corners, crossing, detour, loops};
+use crate::request::{Request, check_positive, round3};
+
+/// How much more than its radius (µm) a bend gets, as the reference has it.
+const MARGIN: f64 = 0.1;
+
+/// Way points at right angles between any two ports turned by a multiple of 90° against each other, with room for a bend
+/// of a radius (µm) at every corner: straight, L, U, J or C, whichever the places of the ports call for.
+///
+/// Legs between corners are at least `2 · (radius + 0.1)` long, those at the ports `radius + 0.1`. Where it
+/// would cross itself, the shortest line of up to six corners that does not is taken; there is none where, say, the last
+/// leg must cross the first.
+///
+/// ```
+/// # use phidl_route::path_manhattan;
+/// let path = path_manhattan(((0, 0), 1, 0), ((30, 20), 1, 270), 5)?; // an L
+/// assert_eq!(path.points(), [(0, 0).into(), (30, 0).into(), (30, 20).into()]);
+/// # Ok::<(), phidl_core::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::Param`](phidl_core::Error::Param) if the ports are at another angle (to 0.0005°), or the radius is not
+/// greater than 0.
+pub fn path_manhattan(port1: impl Into<Port>, port2: impl Into<Port>, radius: impl Into<f64>) -> Result<Path> {
+    let (port1, port2) = (port1.into(), port2.into());
+    manhattan(&Request::new("path_manhattan", &port1, &port2)?, radius.into()).and_then(Path::from_points)
+}
+
+pub(crate) fn manhattan(request: &Request<'_>, radius: f64) -> Result<Vec<Point>> {
+    check_positive("path_manhattan", "radius", radius)?;
+    request.check_turn(&[0.0, 90.0, 180.0, 270.0], "be between ports turned by a multiple of 90°")?;
+    let reach = radius + MARGIN;
+    let points = match request.turn() {
+        90.0 | 270.0 => orthogonal(request, reach),
+        _ => parallel(request, reach),
+    }?;
+    if crossing::crossings(&points) == 0 {
+        return Ok(points);
+    }
+    Ok(detour::shortest(request, reach).unwrap_or(points))
+}
+
+/// Between ports at a right angle.
+fn orthogonal(request: &Request<'_>, reach: f64) -> Result<Vec<Point>> {
+    let (x, y) = (round3(request.ahead()), round3(request.aside()));
+    let side = if request.turn() == 270.0 { -1.0 } else { 1.0 };
+    if x > reach && -side * y > reach {
+        return corners::l(request);
+    }
+    let length1 = if (reach - x).abs() < 2.0 * reach { 2.0 * reach + x } else { reach };
+    let length2 = if (reach + side * y).abs() < 2.0 * reach { 2.0 * reach - side * y } else { reach };
+    loops::j(request, length1, length2)
+}
+
+/// Between ports that look in the same or in opposite directions.
+fn parallel(request: &Request<'_>, reach: f64) -> Result<Vec<Point>> {
+    let (x, y) = (round3(request.ahead()), round3(request.aside()));
+    let facing = request.turn() == 180.0;
+    if facing && y == 0.0 && x > 0.0 {
+        return corners::straight(request);
+    }
+    if !(facing && x <= 2.0 * reach || y.abs() < 2.0 * reach) {
+        let length1 = if !facing && x > 0.0 { reach + x } else { reach };
+        return loops::u(request, length1);
+    }
+    let aside = if y.abs() < 4.0 * reach { y.abs() + 2.0 * reach } else { 2.0 * reach };
+    let beyond = if facing { x - reach } else { x + reach };
+    let length1 = if (beyond - reach).abs() < 2.0 * reach { beyond + 2.0 * reach } else { reach };
+    loops::c(request, length1, if y < 0.0 { -aside } else { aside }, reach)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::manhattan::crossing::crossings;
+
+    fn points(x: f64, y: f64, orientation: f64) -> Vec<(f64, f64)> {
+        let path = path_manhattan(((0, 0), 1, 0), ((x, y), 1, orientation), 5).unwrap();
+        path.points()[1..].iter().map(|p| (round3(p.x), round3(p.y))).collect()
+    }
+
+    #[test]
+    fn ways_are_those_of_the_specification() {
+        assert_eq!(points(30., 0., 180.), [(30., 0.)]);
+        assert_eq!(points(30., 20., 270.), [(30., 0.), (30., 20.)]);
+        assert_eq!(points(30., -20., 90.), [(30., 0.), (30., -20.)]);
+        assert_eq!(points(30., -20., 270.), [(5.1, 0.), (5.1, -25.1), (30., -25.1), (30., -20.)]);
+        assert_eq!(points(30., 20., 90.), [(5.1, 0.), (5.1, 25.1), (30., 25.1), (30., 20.)]);
+        assert_eq!(points(-30., 20., 270.), [(5.1, 0.), (5.1, 14.9), (-30., 14.9), (-30., 20.)]);
+        assert_eq!(points(30., 3., 270.), [(5.1, 0.), (5.1, -10.2), (30., -10.2), (30., 3.)]);
+        assert_eq!(points(3., 30., 270.), [(13.2, 0.), (13.2, 24.9), (3., 24.9), (3., 30.)]);
+        assert_eq!(points(50., 30., 180.), [(5.1, 0.), (5.1, 30.), (50., 30.)]);
+        assert_eq!(points(10., 30., 180.), [(15.1, 0.), (15.1, 10.2), (4.9, 10.2), (4.9, 30.), (10., 30.)]);
+        assert_eq!(points(-50., 30., 180.), [(5.1, 0.), (5.1, 10.2), (-55.1, 10.2), (-55.1, 30.), (-50., 30.)]);
+        assert_eq!(points(-50., -30., 180.), [(5.1, 0.), (5.1, -10.2), (-55.1, -10.2), (-55.1, -30.), (-50., -30.)]);
+        assert_eq!(points(-50., 0., 180.), [(5.1, 0.), (5.1, 10.2), (-55.1, 10.2), (-55.1, 0.), (-50., 0.)]);
+        assert_eq!(points(50., 3., 180.), [(5.1, 0.), (5.1, 13.2), (44.9, 13.2), (44.9, 3.), (50., 3.)]);
+        assert_eq!(points(50., -3., 180.), [(5.1, 0.), (5.1, -13.2), (44.9, -13.2), (44.9, -3.), (50., -3.)]);
+        assert_eq!(points(20., 30., 0.), [(25.1, 0.), (25.1, 30.), (20., 30.)]);
+        assert_eq!(points(-20., 30., 0.), [(5.1, 0.), (5.1, 30.), (-20., 30.)]);
+        assert_eq!(points(50., 0., 0.), [(5.1, 0.), (5.1, 10.2), (55.1, 10.2), (55.1, 0.), (50., 0.)]);
+        assert_eq!(points(-50., 0., 0.), [(5.1, 0.), (5.1, 10.2), (-44.9, 10.2), (-44.9, 0.), (-50., 0.)]);
+        assert_eq!(points(10., 3., 0.), [(25.3, 0.), (25.3, 13.2), (15.1, 13.2), (15.1, 3.), (10., 3.)]);
+        assert_eq!(points(0., 0., 180.), [(5.1, 0.), (5.1, 10.2), (-5.1, 10.2), (-5.1, 0.), (0., 0.)]);
+        assert_eq!(points(0., 0., 0.), [(15.3, 0.), (15.3, 10.2), (5.1, 10.2), (5.1, 0.), (0., 0.)]);
+    }
+
+    #[test]
+    fn the_sweep_of_the_tutorial_is_that_of_the_specification() {
+        let j = |x: f64, y: f64, a: f64, b: f64| vec![(a, 0.), (a, b), (x, b), (x, y)];
+        for (x, a) in [(-20., 5.1), (-10., 5.1), (0., 10.2)] {
+            assert_eq!(points(x, -20., 90.), j(x, -20., a, -14.9));
+        }
+        for x in [10., 20.] {
+            assert_eq!(points(x, -20., 90.), [(x, 0.), (x, -20.)]);
+        }
+        for (x, a) in [(-20., 5.1), (-10., 5.1), (0., 10.2), (10., 20.2), (20., 5.1)] {
+            assert_eq!(points(x, 0., 90.), j(x, 0., a, 10.2));
+            assert_eq!(points(x, 20., 90.), j(x, 20., a, 25.1));
+        }
+    }
+
+    #[test]
+    fn a_full_turn_but_for_noise_enters_the_port_from_the_front() {
+        assert_eq!(points(20., 30., 359.999_999_9), points(20., 30., 0.));
+    }
+
+    #[test]
+    fn a_line_that_need_not_cross_itself_does_not() {
+        // The reference crosses itself in both.
+        assert_eq!(points(5.1, -5.1, 90.), [(5.1, 0.), (5.1, -5.1)]);
+        let path = path_manhattan(((0, 0), 1, 0), ((9, 4), 1, 270), 5).unwrap();
+        assert_eq!(crossings(path.points()), 0);
+        // Here the last leg must cross the first: it starts below the axis, and the first leg reaches further than 5 µm.
+        let path = path_manhattan(((0, 0), 1, 0), ((5, 4), 1, 270), 5).unwrap();
+        assert_eq!(crossings(path.points()), 1);
+    }
+
+    #[test]
+    fn other_angles_are_refused_and_noise_is_not() {
+        let to = |orientation: f64| path_manhattan(((0, 0), 1, 0), ((10, 10), 1, orientation), 5);
+        assert!(to(45.0).is_err() && to(89.999).is_err() && to(89.9996).is_ok());
+        assert!(path_manhattan(((0, 0), 1, 0), ((10, 10), 1, 0), 0).is_err());
+    }
+}

@@ -1,0 +1,122 @@
+//! [`RouteBend`]: the bends of manhattan routes.
+
+use phidl_core::Result;
+use phidl_macros::Choice;
+use phidl_path::{ArcBend, Bend, EulerBend, Path};
+
+use crate::request::{check_positive, refused};
+
+/// What a manhattan route does at its corners.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Choice)]
+pub enum RouteBend {
+    /// An arc.
+    #[default]
+    Circular,
+    /// An Euler bend as large as the arc of the radius; its smallest radius is about half of that.
+    Euler,
+    /// An arc whose curvature rises and falls in ten steps; about half as large again as the arc of the radius.
+    Gradual,
+}
+
+/// How many arcs of a gradual bend lead up to its radius.
+const STEPS: u32 = 10;
+/// How far these arcs turn together (degrees).
+const RISE: f64 = 15.0;
+
+impl RouteBend {
+    /// How far before its corner the bend of a right angle starts (µm).
+    pub(crate) fn reach(self, radius: f64) -> Result<f64> {
+        check_positive("bend", "radius", radius)?;
+        match self {
+            Self::Circular | Self::Euler => Ok(radius),
+            Self::Gradual => Ok(self.bend(radius, 90.0)?.end().x),
+        }
+    }
+
+    /// The smallest radius on the way round a corner (µm).
+    pub(crate) fn smallest_radius(self, radius: f64, angle: f64) -> Result<f64> {
+        match self {
+            Self::Circular | Self::Gradual => Ok(radius),
+            Self::Euler => smallest_of_euler(EulerBend::new().use_eff(), radius, angle),
+        }
+    }
+}
+
+/// The smallest radius of an Euler bend (µm).
+pub(crate) fn smallest_of_euler(bend: EulerBend, radius: f64, angle: f64) -> Result<f64> {
+    // The fewest points that there can be: only the record is wanted.
+    let recorded = bend.num_pts(1).path(radius, angle)?.info().get("Rmin").and_then(phidl_core::param::Value::as_f64);
+    Ok(recorded.expect("invariant: an Euler bend records its smallest radius"))
+}
+
+impl Bend for RouteBend {
+    fn bend(&self, radius: f64, angle: f64) -> Result<Path> {
+        match self {
+            Self::Circular => ArcBend::new().path(radius, angle),
+            Self::Euler => EulerBend::new().use_eff().path(radius, angle),
+            Self::Gradual => gradual(radius, angle),
+        }
+    }
+}
+
+/// Ten arcs of equal angle with curvatures of 1/10, 2/10, … 10/10 of the sharpest, an arc of the radius up to the
+/// middle, and the mirror image of both.
+fn gradual(radius: f64, angle: f64) -> Result<Path> {
+    let middle = angle.abs() - 2.0 * RISE;
+    if middle <= 0.0 {
+        let rule = format!("be more than {}°: so much do its slopes turn", 2.0 * RISE);
+        return Err(refused("gradual bend", "angle", format_args!("{angle}°"), rule));
+    }
+    let step = (RISE / f64::from(STEPS)).copysign(angle);
+    let rise = |n: u32| Path::arc(radius * f64::from(STEPS) / f64::from(n), step);
+    let mut path = Path::new();
+    for n in 1..=STEPS {
+        path.append(rise(n)?);
+    }
+    path.append(Path::arc(radius, middle.copysign(angle))?);
+    for n in (1..=STEPS).rev() {
+        path.append(rise(n)?);
+    }
+    Ok(path)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_gradual_bend_is_symmetric_and_half_as_large_again() {
+        for angle in [90.0, -90.0] {
+            let bend = RouteBend::Gradual.bend(10.0, angle).unwrap();
+            let end = bend.end();
+            assert!((end.x - end.y.abs()).abs() < 1e-9, "{end}");
+            assert!((1.45..1.6).contains(&(end.x / 10.0)), "{end}");
+            assert_eq!(phidl_core::num::angle::normalized(angle), bend.end_angle());
+        }
+    }
+
+    #[test]
+    fn the_curvature_of_a_gradual_bend_rises_in_ten_steps() {
+        // By definition: the length of ten arcs of 1.5° of radius 10 R / n, twice, and of 60° of radius R.
+        let harmonic: f64 = (1..=10).map(|n| 1.0 / f64::from(n)).sum();
+        let expected = 2.0 * 10.0 * 1.5_f64.to_radians() * harmonic + 60_f64.to_radians();
+        let length = RouteBend::Gradual.bend(1.0, 90.0).unwrap().length();
+        assert!((length - expected).abs() < 1e-4, "{length} {expected}");
+    }
+
+    #[test]
+    fn reaches_are_those_of_the_bends() {
+        for bend in [RouteBend::Circular, RouteBend::Euler, RouteBend::Gradual] {
+            let path = bend.bend(7.0, 90.0).unwrap();
+            assert!((bend.reach(7.0).unwrap() - path.end().x).abs() < 1e-9);
+        }
+        assert!(RouteBend::Gradual.bend(7.0, 20.0).is_err() && RouteBend::Gradual.reach(-1.0).is_err());
+    }
+
+    #[test]
+    fn an_euler_bend_is_tighter_than_the_arc_of_its_size() {
+        // Of the specification: a bend of smallest radius 3 that turns by 90° ends at (5.61, 5.61).
+        let smallest = RouteBend::Euler.smallest_radius(5.610_287_54, 90.0).unwrap();
+        assert!((smallest - 3.0).abs() < 1e-6, "{smallest}");
+    }
+}

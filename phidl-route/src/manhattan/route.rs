@@ -1,0 +1,269 @@
+//! [`route_manhattan`] and [`route_manhattan_auto`]: wires at right angles.
+
+use phidl_core::param::Param as _;
+use phidl_core::prelude::*;
+use phidl_macros::device;
+use phidl_path::Path;
+
+use super::{RouteBend, crossing, manhattan};
+use crate::draw::Drawing;
+use crate::request::{Request, refused, title};
+use crate::way::turns;
+use crate::width::RouteWidth;
+
+/// Routes may come this close (µm) to where they would touch: rounding.
+const NOISE: f64 = 1e-6;
+
+/// Draws a wire of straight pieces and bends between two ports turned by a multiple of 90° against each other, wherever
+/// they are.
+///
+/// ```text
+///            ╭──────╮
+///   port1 ├──╯      │        as wide as port1
+///                   ┴ port2
+/// ```
+///
+/// The way points are those of [`path_manhattan`](super::path_manhattan), with as much room as the bends need.
+///
+/// # Ports
+/// `1` on `port1` and `2` on `port2`, facing them, as wide as `port1`.
+///
+/// # Info
+/// `length` (µm), `bends`, `smallest_radius` (µm; null without a bend), and `crossings`: how often the route crosses
+/// itself, which is only where the ports are so close that no line of up to six corners can do without.
+///
+/// # Errors
+/// The ports must be at right angles to each other (to 0.0005°), the smallest radius at least half the width, so
+/// that no inner edge folds back.
+///
+/// # Examples
+/// ```
+/// # use phidl_core::prelude::*;
+/// # use phidl_route::{RouteBend, route_manhattan};
+/// let wire = route_manhattan(((0, 0), 2, 0), ((80, -30), 2, 0), RouteBend::Euler, 10, 1)?;
+/// assert_eq!(wire.info()["bends"].as_f64(), Some(2.0));
+/// # Ok::<(), Error>(())
+/// ```
+///
+/// # Source
+/// Own design, compatible with PHIDL 1.5's `route_manhattan` in parameters, ports and bends.
+#[device(example = RouteManhattanParams::new(((0, 0), 2, 0), ((80, -30), 2, 0)))]
+pub fn route_manhattan(
+    /// Where it starts; its width is that of the route.
+    port1: Port,
+    /// Where it ends.
+    port2: Port,
+    /// What is drawn at the corners.
+    #[default(RouteBend::Circular)]
+    bend: RouteBend,
+    /// Radius of the bends: of the centerline; effective for Euler bends, smallest for gradual ones.
+    #[default(20.0)]
+    #[param(unit = "um", above = 0.0)]
+    radius: f64,
+    /// Where it is drawn.
+    #[default(0)]
+    layer: Layers,
+) -> Result<Device> {
+    let request = Request::new("route_manhattan", &port1, &port2)?;
+    let points = way_points(&request, bend, radius)?;
+    let mut d = bent(&request, &points, bend, radius, &layer)?;
+    d.info("crossings", crossing::crossings(&points));
+    d.build()
+}
+
+/// Draws wires between ports taken in pairs, the first to the second, the third to the fourth, each as
+/// [`route_manhattan`](fn@route_manhattan) draws it.
+///
+/// # Ports
+/// `1`, `2`, `3`, …: one on each of the ports, in their order, facing it.
+///
+/// # Info
+/// `length` and `bends`, of all routes together, and `smallest_radius`.
+///
+/// # Errors
+/// The number of ports must be even. Routes that would touch one another are refused with the ports of both, unless
+/// `allow_crossings` is set. What refuses a single route refuses all.
+///
+/// # Examples
+/// ```
+/// # use phidl_core::prelude::*;
+/// # use phidl_route::{RouteBend, route_manhattan_auto};
+/// let ports = [((0, 0), 2, 0), ((90, 50), 2, 180), ((0, -10), 2, 0), ((90, 20), 2, 180)];
+/// let error = route_manhattan_auto(ports, RouteBend::Circular, 10, 1).unwrap_err();
+/// assert!(error.to_string().contains("not touch the route from"));
+/// # Ok::<(), Error>(())
+/// ```
+///
+/// # Source
+/// Own design, compatible with PHIDL 1.5's `route_manhattan_auto`, which draws crossings without a word.
+#[device(example = RouteManhattanAutoParams::new([((0, 0), 2, 0), ((90, 50), 2, 180), ((0, -60), 2, 0), ((90, -90), 2, 90)]))]
+pub fn route_manhattan_auto(
+    /// The ports, an even number of them.
+    ports: Vec<Port>,
+    /// What is drawn at the corners.
+    #[default(RouteBend::Circular)]
+    bend: RouteBend,
+    /// Radius of the bends, as in a single route.
+    #[default(20.0)]
+    #[param(unit = "um", above = 0.0)]
+    radius: f64,
+    /// Where it is drawn.
+    #[default(0)]
+    layer: Layers,
+    /// Whether routes may cross or touch one another.
+    #[default(false)]
+    #[param(named)]
+    allow_crossings: bool,
+) -> Result<Device> {
+    const NAME: &str = "route_manhattan_auto";
+    let (pairs, rest) = ports.as_chunks::<2>();
+    if !rest.is_empty() {
+        return Err(refused(NAME, "ports", format_args!("{} ports", ports.len()), "be an even number of ports"));
+    }
+    if !allow_crossings {
+        check_apart(pairs, bend, radius)?;
+    }
+    let mut d = Device::builder(NAME);
+    let (mut length, mut bends, mut smallest) = (0.0, 0, None);
+    for (pair, [port1, port2]) in pairs.iter().enumerate() {
+        let route = route_manhattan(port1, port2, bend, radius, &layer)?;
+        let recorded = |key: &str| route.info().get(key).and_then(Value::as_f64);
+        length += recorded("length").unwrap_or_default();
+        bends += route.info().get("bends").map_or(0, |v| i64::from_value(v).unwrap_or_default());
+        smallest = smallest.into_iter().chain(recorded("smallest_radius")).reduce(f64::min);
+        for (i, name) in ["1", "2"].into_iter().enumerate() {
+            d.add_port((2 * pair + i + 1).to_string(), route.port(name)?)?;
+        }
+        d.add(route);
+    }
+    d.info("length", length).info("bends", bends).info("smallest_radius", smallest);
+    d.build()
+}
+
+/// The centerline of [`route_manhattan`](fn@route_manhattan), for an extrusion by hand.
+///
+/// ```
+/// # use phidl_path::{CrossSection, Section};
+/// # use phidl_route::{RouteBend, manhattan_centerline};
+/// let path = manhattan_centerline(((0, 0), 2, 0), ((80, -30), 2, 0), RouteBend::Gradual, 10)?;
+/// let wavy = path.extrude(&CrossSection::from(Section::new(|t: f64| 1.0 + 0.2 * (60.0 * t).sin())))?;
+/// # Ok::<(), phidl_core::Error>(())
+/// ```
+///
+/// # Errors
+/// As for [`route_manhattan`](fn@route_manhattan), but that nothing is said of a width.
+pub fn manhattan_centerline(
+    port1: impl Into<Port>,
+    port2: impl Into<Port>,
+    bend: RouteBend,
+    radius: impl Into<f64>,
+) -> Result<Path> {
+    let (port1, port2, radius) = (port1.into(), port2.into(), radius.into());
+    let request = Request::new("manhattan_centerline", &port1, &port2)?;
+    Path::smooth(way_points(&request, bend, radius)?, radius, bend)
+}
+
+/// Way points with room for bends.
+pub(crate) fn way_points(request: &Request<'_>, bend: RouteBend, radius: f64) -> Result<Vec<Point>> {
+    let points = manhattan(request, bend.reach(radius)?)?;
+    request.check_way(&points)?;
+    Ok(points)
+}
+
+/// Way points with bends at their corners, drawn as wide as the first port.
+pub(crate) fn bent(
+    request: &Request<'_>,
+    points: &[Point],
+    bend: RouteBend,
+    radius: f64,
+    layer: &Layers,
+) -> Result<DeviceBuilder> {
+    let turns = turns(points);
+    let radii = turns.iter().map(|turn| bend.smallest_radius(radius, *turn)).collect::<Result<Vec<_>>>()?;
+    let smallest_radius = radii.into_iter().reduce(f64::min);
+    let half_width = request.port1.width() / 2.0;
+    if let Some(smallest) = smallest_radius {
+        // Beyond this the inner edge folds back.
+        request.check_room("a smallest radius", smallest, half_width)?;
+    }
+    let drawing = Drawing {
+        what: request.what(),
+        path: &Path::smooth(points, radius, bend)?,
+        layer,
+        width: Some(&RouteWidth::Constant(request.port1.width())),
+        bends: turns.len(),
+        smallest_radius,
+    };
+    drawing.between_ports(request)
+}
+
+/// Refuses routes that touch one another: legs closer than half the sum of their widths.
+fn check_apart(pairs: &[[Port; 2]], bend: RouteBend, radius: f64) -> Result<()> {
+    const NAME: &str = "route_manhattan_auto";
+    let mut lines: Vec<(&[Port; 2], Vec<Point>)> = Vec::with_capacity(pairs.len());
+    for pair in pairs {
+        let request = Request::new(NAME, &pair[0], &pair[1])?;
+        let line = way_points(&request, bend, radius)?;
+        for (other, before) in &lines {
+            let apart = crossing::distance(&line, before);
+            let least = (pair[0].width() + other[0].width()) / 2.0;
+            if apart < least - NOISE {
+                let route = format!("not touch the route from {}", title("a port", &other[0]));
+                let rule = format!("{route} to {}: {} µm are missing", title("one", &other[1]), least - apart);
+                return Err(request.refused(format_args!("{apart} µm from another"), rule));
+            }
+        }
+        lines.push((pair, line));
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pairs_are_joined_in_their_order() {
+        let ports = [((0, 0), 2, 0), ((90, 50), 2, 180), ((0, -60), 3, 0), ((90, -90), 2, 90)];
+        let d = route_manhattan_auto(ports, RouteBend::Circular, 10, 1).unwrap();
+        assert_eq!(d.references().len(), 2);
+        let port = |name: &str| d.port(name).map(|p| (p.midpoint(), p.width(), p.orientation())).unwrap();
+        assert_eq!(port("3"), (Point::new(0.0, -60.0), 3.0, 180.0));
+        assert_eq!(port("4"), (Point::new(90.0, -90.0), 3.0, 270.0));
+        assert_eq!(d.info()["bends"].as_f64(), Some(3.0));
+    }
+
+    #[test]
+    fn routes_that_touch_are_refused_unless_told_otherwise() {
+        let ports: Vec<Port> =
+            [(0, 0, 0), (60, 0, 180), (30, 30, 270), (30, -30, 90)].map(|(x, y, o)| Port::new((x, y), 2, o)).into();
+        let error = route_manhattan_auto(ports.clone(), RouteBend::Circular, 10, 1).unwrap_err();
+        assert!(error.to_string().contains("0 µm from another, but it must not touch the route from a port at (0, 0)"));
+        let params = RouteManhattanAutoParams::new(ports).allow_crossings(true);
+        assert_eq!(params.build().unwrap().references().len(), 2);
+    }
+
+    #[test]
+    fn neighbors_that_touch_by_their_widths_only_are_refused_too() {
+        let beside = |gap: f64| {
+            let ports =
+                [((0.0, 0.0), 2, 0), ((60.0, 0.0), 2, 180), ((0.0, 2.0 + gap), 2, 0), ((60.0, 2.0 + gap), 2, 180)];
+            route_manhattan_auto(ports, RouteBend::Circular, 10, 1)
+        };
+        assert!(beside(0.0).is_ok() && beside(-0.01).is_err());
+    }
+
+    #[test]
+    fn a_port_without_a_partner_is_refused() {
+        let error = route_manhattan_auto([((0, 0), 2, 0)], RouteBend::Circular, 10, 1).unwrap_err();
+        assert!(error.to_string().ends_with("ports is 1 ports, but it must be an even number of ports"));
+    }
+
+    #[test]
+    fn wires_too_wide_for_their_bends_are_refused() {
+        let to = |width: i32| route_manhattan(((0, 0), width, 0), ((50, 50), 1, 270), RouteBend::Circular, 5, 0);
+        assert!(to(10).is_ok());
+        let error = to(11).unwrap_err().to_string();
+        assert!(error.contains("a smallest radius of 5 µm, but it must have at least 5.5 µm: 0.5 µm are"), "{error}");
+    }
+}

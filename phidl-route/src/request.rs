@@ -1,0 +1,257 @@
+//! [`Request`]: two ports to be joined, and the rules between them.
+//!
+//! Every rule is checked here or in terms of the numbers found here, so that a route that cannot be made says the same
+//! in every family: which two ports, what was measured between them, and how much is missing. The alternative, an error
+//! for each family, would name the family's inner lengths, which the user never gave.
+
+use phidl_core::error::ParamError;
+use phidl_core::geom::Point;
+use phidl_core::num::angle;
+use phidl_core::port::Port;
+use phidl_core::{Error, Result};
+
+/// Two orientations may differ by this much (degrees) where a rule asks for a right angle: half a step of the three
+/// decimals to which the specification compares.
+pub(crate) const SKEW: f64 = 1e-3;
+/// How far beside a port's axis a route may leave or arrive (µm), or a port may lie beside the other one's axis: a step
+/// of the usual database grid.
+const BESIDE: f64 = 1e-3;
+/// How far from a port a route may start or end (µm): ports that meet within this form a joint.
+const JOINT: f64 = 1e-6;
+
+/// Two ports on their way to be joined: where the second one lies as seen from the first.
+#[derive(Debug, Clone)]
+pub(crate) struct Request<'a> {
+    what: &'a str,
+    pub(crate) port1: &'a Port,
+    pub(crate) port2: &'a Port,
+    /// Unit vectors along which the ports look.
+    pub(crate) forward1: Point,
+    pub(crate) forward2: Point,
+    /// Unit vector to the left of the first port.
+    pub(crate) left1: Point,
+}
+
+impl<'a> Request<'a> {
+    /// The request of a route; refused if a port is not at a finite place.
+    pub(crate) fn new(what: &'a str, port1: &'a Port, port2: &'a Port) -> Result<Self> {
+        for (name, port) in [("port1", port1), ("port2", port2)] {
+            let sound = port.midpoint().is_finite() && port.orientation().is_finite() && port.width().is_finite();
+            if !sound || port.width() < 0.0 {
+                return Err(refused(what, name, port, "be at a finite place and at least 0 µm wide"));
+            }
+        }
+        Ok(Self {
+            what,
+            port1,
+            port2,
+            forward1: forward(port1),
+            forward2: forward(port2),
+            left1: left_of(forward(port1)),
+        })
+    }
+
+    /// What the route is called.
+    pub(crate) fn what(&self) -> &'a str {
+        self.what
+    }
+
+    /// From the first port to the second.
+    pub(crate) fn span(&self) -> Point {
+        self.port2.midpoint() - self.port1.midpoint()
+    }
+
+    /// How far in front of the first port the second one lies (µm).
+    pub(crate) fn ahead(&self) -> f64 {
+        self.span().dot(self.forward1)
+    }
+
+    /// How far to the left of the first port the second one lies (µm).
+    pub(crate) fn aside(&self) -> f64 {
+        self.span().dot(self.left1)
+    }
+
+    /// By how much the second port is turned against the first (degrees, three decimals, in `[0, 360)`).
+    ///
+    /// The reference keeps 360 beside 0 and then enters the second port from behind.
+    pub(crate) fn turn(&self) -> f64 {
+        let turn = round3((self.port2.orientation() - self.port1.orientation()).rem_euclid(360.0));
+        if turn >= 360.0 { 0.0 } else { turn }
+    }
+
+    /// Refuses ports that are not turned by one of some angles against each other.
+    pub(crate) fn check_turn(&self, allowed: &[f64], rule: &str) -> Result<()> {
+        let turn = self.turn();
+        match allowed.contains(&turn) {
+            true => Ok(()),
+            false => Err(self.refused(format_args!("a turn of {turn}°"), rule)),
+        }
+    }
+
+    /// Refuses a length of the way that is less than it must be, with what is missing.
+    pub(crate) fn check_room(&self, what: &str, length: f64, least: f64) -> Result<()> {
+        match length >= least {
+            true => Ok(()),
+            false => Err(self.missing(what, length, least)),
+        }
+    }
+
+    /// The error for a length of the way that is less than it must be, with what is missing.
+    pub(crate) fn missing(&self, what: &str, length: f64, least: f64) -> Error {
+        let (short, least, length) = (micrometers(least - length), micrometers(least), micrometers(length));
+        self.refused(format_args!("{what} of {length}"), format!("have at least {least}: {short} are missing"))
+    }
+
+    /// Refuses way points that do not start and end on the ports, leave the first one forwards and enter the second one
+    /// from the front.
+    pub(crate) fn check_way(&self, points: &[Point]) -> Result<()> {
+        let (first, last) = (points[0], points[points.len() - 1]);
+        let off = first.distance(self.port1.midpoint()).max(last.distance(self.port2.midpoint()));
+        if off > JOINT {
+            return Err(self.refused(format_args!("{} off its ports", micrometers(off)), "start and end on them"));
+        }
+        let different = |from: Point| move |p: &&Point| p.distance(from) > JOINT;
+        let second = points.iter().find(different(first));
+        let before_last = points.iter().rev().find(different(last));
+        let (Some(second), Some(before_last)) = (second, before_last) else {
+            return Err(self.missing("a length", 0.0, JOINT));
+        };
+        self.check_leg("leave the first port along its orientation", *second - first, self.forward1)?;
+        self.check_leg("enter the second port against its orientation", last - *before_last, -self.forward2)
+    }
+
+    /// Refuses a first or last leg that does not run along the axis of its port.
+    fn check_leg(&self, rule: &str, leg: Point, along: Point) -> Result<()> {
+        let ahead = leg.dot(along);
+        if ahead <= 0.0 {
+            let missing = micrometers(-ahead);
+            return Err(
+                self.refused(format_args!("a leg {missing} backwards"), format!("{rule}: {missing} are missing"))
+            );
+        }
+        let beside = leg.cross(along).abs();
+        if beside > BESIDE && beside > ahead * SKEW.to_radians() {
+            return Err(self.refused(format_args!("a leg {} beside the axis", micrometers(beside)), rule));
+        }
+        Ok(())
+    }
+
+    /// The error for something between the ports.
+    pub(crate) fn refused(&self, value: impl std::fmt::Display, rule: impl Into<String>) -> Error {
+        refused(self.what, &format!("the way {}", self.between()), value, rule)
+    }
+
+    /// Both ports, in a message.
+    pub(crate) fn between(&self) -> String {
+        format!("from {} to {}", title("port1", self.port1), title("port2", self.port2))
+    }
+}
+
+/// The error for a parameter of a route.
+pub(crate) fn refused(what: &str, param: &str, value: impl std::fmt::Display, rule: impl Into<String>) -> Error {
+    ParamError { device: what.to_owned(), param: param.to_owned(), value: value.to_string(), rule: rule.into() }.into()
+}
+
+/// Refuses a length that is not finite and greater than zero.
+pub(crate) fn check_positive(what: &str, param: &str, um: f64) -> Result<()> {
+    match um > 0.0 && um.is_finite() {
+        true => Ok(()),
+        false => Err(refused(what, param, format_args!("{um} µm"), "be greater than 0 µm and finite")),
+    }
+}
+
+/// Refuses a length that is not finite.
+pub(crate) fn check_finite(what: &str, param: &str, um: f64) -> Result<()> {
+    match um.is_finite() {
+        true => Ok(()),
+        false => Err(refused(what, param, format_args!("{um} µm"), "be finite")),
+    }
+}
+
+/// A port in a message.
+pub(crate) fn title(role: &str, port: &Port) -> String {
+    let name = if port.name().is_empty() { role.to_owned() } else { format!("{role} \"{}\"", port.name()) };
+    format!("{name} at {} facing {}°", port.midpoint(), port.orientation())
+}
+
+/// A length in a message, without the noise of its last bits.
+fn micrometers(um: f64) -> String {
+    const PICOMETERS: f64 = 1e6;
+    format!("{} µm", (um * PICOMETERS).round() / PICOMETERS)
+}
+
+/// The unit vector along which a port looks, as the specification has it: of the plain sine and cosine, also at multiples
+/// of 90°. (Exact ones would move way points by 1e-14 µm only, but whether a bend has 179 points or 180 hangs on that.)
+fn forward(port: &Port) -> Point {
+    let (sin, cos) = port.orientation().to_radians().sin_cos();
+    Point::new(cos, sin)
+}
+
+pub(crate) fn left_of(forward: Point) -> Point {
+    Point::new(-forward.y, forward.x)
+}
+
+/// Three decimals, halves to even, as the specification compares lengths and angles.
+pub(crate) fn round3(v: f64) -> f64 {
+    (v * 1000.0).round_ties_even() / 1000.0
+}
+
+/// Whether two ports look at each other, whatever is between them.
+pub(crate) fn opposite(port1: &Port, port2: &Port) -> bool {
+    round3(angle::between(port1.orientation(), port2.orientation())) == 180.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn port(x: f64, y: f64, orientation: f64) -> Port {
+        Port::new((x, y), 1, orientation)
+    }
+
+    #[test]
+    fn the_second_port_is_measured_from_the_first() {
+        let (a, b) = (port(1.0, 2.0, 90.0), port(-3.0, 12.0, 0.0));
+        let request = Request::new("test", &a, &b).unwrap();
+        assert!((request.ahead() - 10.0).abs() < 1e-12 && (request.aside() - 4.0).abs() < 1e-12);
+        assert_eq!(request.turn(), 270.0);
+    }
+
+    #[test]
+    fn a_full_turn_but_for_noise_is_none() {
+        let (a, b) = (port(0.0, 0.0, 0.0), port(9.0, 9.0, 359.999_999_99));
+        assert_eq!(Request::new("test", &a, &b).unwrap().turn(), 0.0);
+    }
+
+    #[test]
+    fn what_is_missing_is_told_with_both_ports() {
+        let (a, b) = (port(0.0, 0.0, 0.0).named("in"), port(3.1, 5.0, 270.0));
+        let request = Request::new("route", &a, &b).unwrap();
+        assert_eq!(
+            request.check_room("a leg", request.ahead(), 5.0).unwrap_err().to_string(),
+            "route: the way from port1 \"in\" at (0, 0) facing 0° to port2 at (3.1, 5) facing 270° is a leg of 3.1 µm, \
+             but it must have at least 5 µm: 1.9 µm are missing"
+        );
+    }
+
+    #[test]
+    fn a_way_that_misses_a_port_or_its_direction_is_refused() {
+        let (a, b) = (port(0.0, 0.0, 0.0), port(10.0, 5.0, 270.0));
+        let request = Request::new("route", &a, &b).unwrap();
+        let check =
+            |points: &[(f64, f64)]| request.check_way(&points.iter().copied().map(Point::from).collect::<Vec<_>>());
+        assert!(check(&[(0., 0.), (10., 0.), (10., 5.)]).is_ok());
+        assert!(check(&[(0., 0.), (0., 0.), (10., 0.), (10., 5.)]).is_ok(), "a repeated point has no direction");
+        assert!(check(&[(0., 0.), (10., 0.), (10., 4.)]).unwrap_err().to_string().contains("1 µm off its ports"));
+        assert!(check(&[(0., 0.), (-3., 0.), (-3., -2.), (10., -2.), (10., 5.)]).is_err(), "leaves backwards");
+        assert!(check(&[(0., 0.), (12., 0.), (12., 9.), (10., 9.), (10., 5.)]).is_err(), "arrives from behind");
+        assert!(check(&[(0., 0.), (10., 5.)]).is_err(), "leaves sideways");
+    }
+
+    #[test]
+    fn ports_that_cannot_be_are_refused() {
+        let sound = port(0.0, 0.0, 0.0);
+        assert!(Request::new("route", &sound, &port(f64::NAN, 0.0, 0.0)).is_err());
+        assert!(Request::new("route", &Port::new((0, 0), -1, 0), &sound).is_err());
+    }
+}

@@ -1,0 +1,96 @@
+//! [`route_sharp`].
+
+use phidl_core::prelude::*;
+use phidl_macros::device;
+use phidl_path::Path;
+
+use crate::draw::Drawing;
+use crate::request::Request;
+use crate::way::{Way, turns};
+use crate::{PathType, RouteWidth};
+
+/// Draws a wire between two ports, with mitered corners.
+///
+/// ```text
+///            ┌──────┐
+///   port1 ├──┘      │
+///                   ┴ port2
+/// ```
+///
+/// A manhattan way has legs with room for two widths of the wider port.
+///
+/// # Ports
+/// `1` on `port1` and `2` on `port2`, facing them, as wide as the route is there, with their info. With a cross-section:
+/// those of its sections.
+///
+/// # Info
+/// `length` (µm), `bends`, and `smallest_radius`: 0 µm, or null without a corner.
+///
+/// # Errors
+/// The way must leave `port1` forwards and enter `port2` from the front. A length that the way does not have, a layer
+/// beside a cross-section, and a width of no port and no number are refused.
+///
+/// # Numerics
+/// Without a `width`, the width changes from that of `port1` to that of `port2` in proportion to the length, along all
+/// legs.
+///
+/// # Examples
+/// ```
+/// # use phidl_core::prelude::*;
+/// # use phidl_route::{PathType, route_sharp};
+/// let wire = route_sharp(((0, 0), 2, 0), ((30, 20), 4, 270), None, PathType::Manhattan, 0)?;
+/// assert_eq!(wire.polygons().next().unwrap().points.len(), 6);
+/// # Ok::<(), Error>(())
+/// ```
+///
+/// # Source
+/// Own design, compatible with PHIDL's `route_sharp`.
+#[device(example = RouteSharpParams::new(((0, 0), 2, 0), ((30, -20), 4, 270)))]
+pub fn route_sharp(
+    /// Where it starts.
+    port1: Port,
+    /// Where it ends.
+    port2: Port,
+    /// Width: a number, a pair from start to end, or a cross-section; none for those of the ports.
+    #[default(None)]
+    #[param(unit = "um")]
+    width: Option<RouteWidth>,
+    /// Which way it takes.
+    #[default(PathType::Manhattan)]
+    path_type: PathType,
+    /// Where it is drawn; to be left out with a cross-section, whose sections have layers of their own.
+    #[default(0)]
+    layer: Layers,
+    /// The way points of a manual way, from port to port.
+    #[default(None)]
+    #[param(unit = "um", named)]
+    manual_path: Option<Vec<Point>>,
+    /// Length of the first leg of a U, J (200 if not given), C or Z (100).
+    #[default(None)]
+    #[param(unit = "um", named)]
+    length1: Option<f64>,
+    /// Length of the last leg of a J (200 if not given), C or Z (100).
+    #[default(None)]
+    #[param(unit = "um", named)]
+    length2: Option<f64>,
+    /// How far a C goes to the left first (100 if not given); to the right if negative.
+    #[default(None)]
+    #[param(unit = "um", named)]
+    left1: Option<f64>,
+) -> Result<Device> {
+    const NAME: &str = "route_sharp";
+    let request = Request::new(NAME, &port1, &port2)?;
+    let radius = port1.width().max(port2.width());
+    let manual_path = manual_path.as_deref();
+    let points = Way { what: NAME, path_type, manual_path, length1, length2, left1, radius }.points(&request)?;
+    let bends = turns(&points).len();
+    let drawing = Drawing {
+        what: NAME,
+        path: &Path::from_points(points)?,
+        layer: &layer,
+        width: width.as_ref(),
+        bends,
+        smallest_radius: (bends > 0).then_some(0.0),
+    };
+    drawing.between_ports(&request)?.build()
+}

@@ -1,0 +1,110 @@
+//! [`route_smooth`].
+
+use phidl_core::prelude::*;
+use phidl_macros::device;
+use phidl_path::Path;
+
+use crate::draw::Drawing;
+use crate::request::{Request, refused};
+use crate::way::{Way, turns};
+use crate::{PathType, RouteWidth, SmoothOptions};
+
+/// Draws a wire between two ports, with a bend at every corner of its way.
+///
+/// ```text
+///            ╭──────╮
+///   port1 ├──╯      │
+///                   ┴ port2
+/// ```
+///
+/// # Ports
+/// `1` on `port1` and `2` on `port2`, facing them, as wide as the route is there, with their info. With a cross-section:
+/// those of its sections.
+///
+/// # Info
+/// `length` (µm), `bends`, and `smallest_radius` (µm; null without a bend).
+///
+/// # Errors
+/// The way must leave `port1` forwards and enter `port2` from the front, and have room for its bends. A length that the
+/// way does not have, a layer beside a cross-section, and a width of no port and no number are refused. A manhattan way
+/// has room for bends as large as the arc of their radius; for others, set `use_eff`.
+///
+/// # Numerics
+/// Without a `width`, the width changes from that of `port1` to that of `port2` in proportion to the length. Edges are
+/// miter offsets of the centerline; see [`Path::extrude`].
+///
+/// # Examples
+/// ```
+/// # use phidl_core::prelude::*;
+/// # use phidl_route::{PathType, RouteSmoothParams, SmoothOptions, route_smooth};
+/// let (a, b) = (Port::new((40, 0), 5, 180), Port::new((0, -40), 5, 270));
+/// let wire = route_smooth(&a, &b, 5, None, PathType::Manhattan, 0)?;
+/// let around = RouteSmoothParams::new(&a, &b).path_type(PathType::J).length1(60).length2(20).build()?;
+/// let arcs = RouteSmoothParams::new(&a, &b).smooth_options(SmoothOptions::arc()).width((2.5, 1)).build()?;
+/// # Ok::<(), Error>(())
+/// ```
+///
+/// # Source
+/// Own design, compatible with PHIDL's `route_smooth`.
+#[device(example = RouteSmoothParams::new(((40, 0), 5, 180), ((0, -40), 5, 270)))]
+pub fn route_smooth(
+    /// Where it starts.
+    port1: Port,
+    /// Where it ends.
+    port2: Port,
+    /// Radius of the bends, that of the arc as large as the bend unless `smooth_options` say otherwise.
+    #[default(5.0)]
+    #[param(unit = "um", above = 0.0)]
+    radius: f64,
+    /// Width: a number, a pair from start to end, or a cross-section; none for those of the ports.
+    #[default(None)]
+    #[param(unit = "um")]
+    width: Option<RouteWidth>,
+    /// Which way it takes.
+    #[default(PathType::Manhattan)]
+    path_type: PathType,
+    /// Where it is drawn; to be left out with a cross-section, whose sections have layers of their own.
+    #[default(0)]
+    layer: Layers,
+    /// The way points of a manual way, from port to port.
+    #[default(None)]
+    #[param(unit = "um", named)]
+    manual_path: Option<Vec<Point>>,
+    /// What is drawn at the corners.
+    #[default(SmoothOptions::default())]
+    #[param(named)]
+    smooth_options: SmoothOptions,
+    /// Length of the first leg of a U, J (200 if not given), C or Z (100).
+    #[default(None)]
+    #[param(unit = "um", named)]
+    length1: Option<f64>,
+    /// Length of the last leg of a J (200 if not given), C or Z (100).
+    #[default(None)]
+    #[param(unit = "um", named)]
+    length2: Option<f64>,
+    /// How far a C goes to the left first (100 if not given); to the right if negative.
+    #[default(None)]
+    #[param(unit = "um", named)]
+    left1: Option<f64>,
+) -> Result<Device> {
+    const NAME: &str = "route_smooth";
+    if path_type == PathType::Manhattan && !smooth_options.is_as_large_as_its_arc() {
+        let given = "an Euler bend of this smallest radius";
+        return Err(refused(NAME, "smooth_options", given, "have use_eff on a manhattan way, or it has no room"));
+    }
+    let request = Request::new(NAME, &port1, &port2)?;
+    let manual_path = manual_path.as_deref();
+    let points = Way { what: NAME, path_type, manual_path, length1, length2, left1, radius }.points(&request)?;
+    let turns = turns(&points);
+    let path = Path::smooth(points, radius, smooth_options).map_err(|error| error.within(request.between()))?;
+    let radii = turns.iter().map(|turn| smooth_options.smallest_radius(radius, *turn)).collect::<Result<Vec<_>>>()?;
+    let drawing = Drawing {
+        what: NAME,
+        path: &path,
+        layer: &layer,
+        width: width.as_ref(),
+        bends: turns.len(),
+        smallest_radius: radii.into_iter().reduce(f64::min),
+    };
+    drawing.between_ports(&request)?.build()
+}

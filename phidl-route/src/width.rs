@@ -1,0 +1,214 @@
+//! [`RouteWidth`]: how wide a route is.
+
+use std::collections::BTreeMap;
+
+use phidl_core::layer::Layers;
+use phidl_core::param::{IntoOption, Kind, Mismatch, Param, Value};
+use phidl_path::{CrossSection, Profile, Section};
+
+/// How wide a route is: one width, a change from one to another, or the strips of a cross-section.
+///
+/// As a parameter: `2.5`, `(2.5, 1)`, or a [`CrossSection`]. In JSON: `2.5`, `[2.5, 1]`, or
+/// `{"sections": [{"width": 1, "offset": 3, "layer": 5, "start_port": "1", "end_port": "2", "name": "rib"}, …]}`, where
+/// all but the width may be left out.
+#[derive(Debug, Clone)]
+pub enum RouteWidth {
+    /// The same all along (µm).
+    Constant(f64),
+    /// From the first width to the second (µm), in proportion to the length.
+    Linear(f64, f64),
+    /// The strips of a cross-section, whose widths and offsets are numbers or pairs. (A route is kept by its
+    /// parameters, and functions cannot be compared: for these, extrude the centerline by hand.)
+    Sections(CrossSection),
+}
+
+/// What stands for a profile that cannot be a parameter; reading it back is an error.
+const NO_NUMBER: &str = "a function or a list";
+
+impl PartialEq for RouteWidth {
+    fn eq(&self, other: &Self) -> bool {
+        self.to_value() == other.to_value()
+    }
+}
+
+impl RouteWidth {
+    /// Whether it says all that it is as a parameter.
+    pub(crate) fn is_sound(&self) -> bool {
+        let plain = |profile: &Profile| matches!(profile, Profile::Constant(_) | Profile::Linear(..));
+        match self {
+            Self::Constant(_) | Self::Linear(..) => true,
+            Self::Sections(x) => x.sections().iter().all(|s| plain(&s.width) && plain(&s.offset)),
+        }
+    }
+}
+
+impl Param for RouteWidth {
+    fn kind() -> Kind {
+        Kind::Other("number, pair of numbers, or {\"sections\": […]}")
+    }
+
+    fn to_value(&self) -> Value {
+        match self {
+            Self::Constant(width) => (*width).into(),
+            Self::Linear(from, to) => vec![*from, *to].into(),
+            Self::Sections(x) => {
+                let sections: Vec<Value> = x.sections().iter().map(section_value).collect();
+                BTreeMap::from([("sections".to_owned(), Value::List(sections))]).into()
+            }
+        }
+    }
+
+    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+        let rule = "be a number, a pair of numbers, or {\"sections\": […]}";
+        let Value::Map(map) = value else {
+            return match profile(value).map_err(|_| Mismatch::new(value, rule))? {
+                Profile::Linear(from, to) => Ok(Self::Linear(from, to)),
+                other => other.constant().map(Self::Constant).ok_or_else(|| Mismatch::new(value, rule)),
+            };
+        };
+        match (map.len(), map.get("sections").and_then(Value::as_list)) {
+            (1, Some(list)) => {
+                let read = |(i, v)| section(v).map_err(|mismatch| mismatch.at(format_args!(".sections[{i}]")));
+                let sections: Vec<Section> = list.iter().enumerate().map(read).collect::<Result<_, _>>()?;
+                Ok(Self::Sections(sections.into_iter().fold(CrossSection::new(), CrossSection::add)))
+            }
+            _ => Err(Mismatch::new(value, rule)),
+        }
+    }
+}
+
+fn section_value(section: &Section) -> Value {
+    let text = |text: &Option<String>| Value::from(text.clone());
+    let entries = [
+        ("width", profile_value(&section.width)),
+        ("offset", profile_value(&section.offset)),
+        ("layer", section.layers.to_value()),
+        ("start_port", text(&section.start_port)),
+        ("end_port", text(&section.end_port)),
+        ("name", text(&section.name)),
+    ];
+    Value::Map(entries.into_iter().map(|(key, value)| (key.to_owned(), value)).collect())
+}
+
+fn profile_value(profile: &Profile) -> Value {
+    match profile {
+        Profile::Constant(v) => (*v).into(),
+        Profile::Linear(from, to) => vec![*from, *to].into(),
+        _ => NO_NUMBER.into(),
+    }
+}
+
+fn section(value: &Value) -> Result<Section, Mismatch> {
+    let Value::Map(map) = value else {
+        return Err(Mismatch::new(value, "be a section, {\"width\": …, …}"));
+    };
+    let known = ["width", "offset", "layer", "start_port", "end_port", "name"];
+    if let Some(unknown) = map.keys().find(|key| !known.contains(&key.as_str())) {
+        return Err(Mismatch::new(value, format!("be a section, without {unknown:?}")));
+    }
+    let width = map.get("width").ok_or_else(|| Mismatch::new(value, "have a width"))?;
+    let text = |key: &str| match map.get(key) {
+        None => Ok(None),
+        Some(text) => Option::<String>::from_value(text).map_err(|mismatch| mismatch.at(format_args!(".{key}"))),
+    };
+    let mut section = Section::new(profile(width).map_err(|mismatch| mismatch.at(".width"))?);
+    if let Some(offset) = map.get("offset") {
+        section = section.offset(profile(offset).map_err(|mismatch| mismatch.at(".offset"))?);
+    }
+    if let Some(layer) = map.get("layer") {
+        section = section.layer(Layers::from_value(layer).map_err(|mismatch| mismatch.at(".layer"))?);
+    }
+    Ok(Section { start_port: text("start_port")?, end_port: text("end_port")?, name: text("name")?, ..section })
+}
+
+/// A number or a pair of numbers.
+fn profile(value: &Value) -> Result<Profile, Mismatch> {
+    match value.as_list() {
+        Some([from, to]) => Ok(Profile::Linear(f64::from_value(from)?, f64::from_value(to)?)),
+        _ => f64::from_value(value).map(Profile::Constant),
+    }
+}
+
+macro_rules! from_number {
+    ($($number:ty),*) => {$(
+        impl From<$number> for RouteWidth {
+            fn from(width: $number) -> Self {
+                Self::Constant(width.into())
+            }
+        }
+
+        impl IntoOption<RouteWidth> for $number {
+            fn into_option(self) -> Option<RouteWidth> {
+                Some(self.into())
+            }
+        }
+    )*};
+}
+
+from_number!(f64, f32, i32, u32, i16, u16, i8, u8);
+
+macro_rules! from_rest {
+    ($(<$($letter:ident),*> $from:ty, $pattern:pat => $width:expr;)*) => {$(
+        impl<$($letter: Into<f64>),*> From<$from> for RouteWidth {
+            fn from($pattern: $from) -> Self {
+                $width
+            }
+        }
+
+        impl<$($letter: Into<f64>),*> IntoOption<RouteWidth> for $from {
+            fn into_option(self) -> Option<RouteWidth> {
+                Some(self.into())
+            }
+        }
+    )*};
+}
+
+from_rest! {
+    <A, B> (A, B), (from, to) => Self::Linear(from.into(), to.into());
+    <N> [N; 2], [from, to] => Self::Linear(from.into(), to.into());
+    <> CrossSection, sections => Self::Sections(sections);
+    <> &CrossSection, sections => Self::Sections(sections.clone());
+    <> Section, section => Self::Sections(section.into());
+}
+
+impl IntoOption<Self> for RouteWidth {
+    fn into_option(self) -> Option<Self> {
+        Some(self)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_width_comes_back_from_its_value() {
+        let rib = CrossSection::new()
+            .add(Section::new(0.5).layer((1, 3)).ports("1", "2").named("core"))
+            .add(Section::new((6, 4)).offset(-2).layer(Layers::NONE));
+        for width in [RouteWidth::from(2), (2.5, 1).into(), [1, 2].into(), rib.into()] {
+            assert_eq!(RouteWidth::from_value(&width.to_value()).unwrap(), width);
+            assert!(width.is_sound());
+        }
+    }
+
+    #[test]
+    fn a_function_is_no_parameter() {
+        let wavy = RouteWidth::from(Section::new(|t: f64| 1.0 + t));
+        assert!(!wavy.is_sound() && RouteWidth::from_value(&wavy.to_value()).is_err());
+    }
+
+    #[test]
+    fn what_is_no_width_is_told_with_its_place() {
+        let sections = |section: Value| {
+            let map = BTreeMap::from([("sections".to_owned(), Value::List(vec![section]))]);
+            RouteWidth::from_value(&map.into()).unwrap_err().to_string()
+        };
+        let map =
+            |key: &str, value: Value| Value::Map([("width".to_owned(), 1.into()), (key.to_owned(), value)].into());
+        assert!(sections(map("offset", "left".into())).starts_with(".sections[0].offset is \"left\""));
+        assert!(sections(map("depth", 3.into())).ends_with("without \"depth\""));
+        assert!(RouteWidth::from_value(&Value::from("wide")).is_err());
+        assert!(RouteWidth::from_value(&Value::from(vec![1, 2, 3])).is_err());
+    }
+}

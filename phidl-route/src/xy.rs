@@ -1,0 +1,159 @@
+//! [`path_xy`] and [`route_xy`]: staircases.
+
+use phidl_core::prelude::*;
+use phidl_macros::device;
+use phidl_path::Path;
+
+use crate::RouteWidth;
+use crate::draw::Drawing;
+use crate::request::{Request, refused};
+use crate::way::turns;
+
+/// Steps up to this long (µm) are passed over.
+const SHORTEST: f64 = 1e-6;
+
+/// A line in steps along x and y, in the order of `directions`: each `x` goes an equal part of the way in x, each `y` of
+/// that in y. Capitals are the same.
+///
+/// ```
+/// # use phidl_route::path_xy;
+/// let path = path_xy((0, 0), (12, 8), "xxyx")?;
+/// assert_eq!(path.points()[1..4], [(4, 0).into(), (8, 0).into(), (8, 8).into()]);
+/// # Ok::<(), phidl_core::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::Param`](phidl_core::Error::Param) for other letters, if a direction is missing in which there is a way to
+/// go (the reference then ends somewhere else), or if the points are one.
+pub fn path_xy(port1: impl Into<Point>, port2: impl Into<Point>, directions: &str) -> Result<Path> {
+    Path::from_points(steps("path_xy", port1.into(), port2.into(), directions)?)
+}
+
+/// Draws a wire in steps along x and y, whatever the ports face: for fans of parallel wires.
+///
+/// ```text
+///                  ┌───┤ port2
+///          ┌───────┘
+///   port1 ├┘              xyxyx
+/// ```
+///
+/// # Ports
+/// `1` on `port1` and `2` on `port2`. With a width they face them, with their info; without one, they face along the
+/// ends of the line. With a cross-section: those of its sections.
+///
+/// # Info
+/// `length` (µm), `bends`, and `smallest_radius`: 0 µm, or null without a corner.
+///
+/// # Errors
+/// As for [`path_xy`]; and for widths as in [`route_sharp`](fn@crate::route_sharp).
+///
+/// # Examples
+/// ```
+/// # use phidl_core::prelude::*;
+/// # use phidl_route::route_xy;
+/// let wire = route_xy(((0, 0), 2, 90), ((6, 5), 2, 270), "yyyxy", 0.1, 2)?;
+/// assert_eq!(wire.info()["length"].as_f64(), Some(11.0));
+/// # Ok::<(), Error>(())
+/// ```
+///
+/// # Source
+/// Own design, compatible with PHIDL's `route_xy`.
+#[device(example = RouteXyParams::new(((0, 0), 2, 0), ((30, 20), 4, 270)))]
+pub fn route_xy(
+    /// Where it starts.
+    port1: Port,
+    /// Where it ends.
+    port2: Port,
+    /// The steps, a letter for each.
+    #[default("xxyx")]
+    directions: String,
+    /// Width: a number, a pair from start to end, or a cross-section; none for those of the ports.
+    #[default(None)]
+    #[param(unit = "um")]
+    width: Option<RouteWidth>,
+    /// Where it is drawn; to be left out with a cross-section, whose sections have layers of their own.
+    #[default(0)]
+    layer: Layers,
+) -> Result<Device> {
+    const NAME: &str = "route_xy";
+    let request = Request::new(NAME, &port1, &port2)?;
+    let points = steps(NAME, port1.midpoint(), port2.midpoint(), &directions)?;
+    let bends = turns(&points).len();
+    let drawing = Drawing {
+        what: NAME,
+        path: &Path::from_points(points)?,
+        layer: &layer,
+        width: width.as_ref(),
+        bends,
+        smallest_radius: (bends > 0).then_some(0.0),
+    };
+    match width {
+        None => drawing.on_its_own(&request)?.build(),
+        Some(_) => drawing.between_ports(&request)?.build(),
+    }
+}
+
+/// The way points, ends included.
+fn steps(what: &str, from: Point, to: Point, directions: &str) -> Result<Vec<Point>> {
+    let directions = directions.to_ascii_lowercase();
+    if let Some(other) = directions.chars().find(|letter| !matches!(letter, 'x' | 'y')) {
+        return Err(refused(
+            what,
+            "directions",
+            format_args!("{directions:?}"),
+            format!("have no {other:?}, only x and y"),
+        ));
+    }
+    let count = |letter| directions.chars().filter(|other| *other == letter).count();
+    let (columns, rows, way) = (count('x'), count('y'), to - from);
+    for (letter, count, way) in [('x', columns, way.x), ('y', rows, way.y)] {
+        if count == 0 && way.abs() > SHORTEST {
+            let rule = format!("have an {letter:?}: {} µm are to go", way.abs());
+            return Err(refused(what, "directions", format_args!("{directions:?}"), rule));
+        }
+    }
+    let (along_x, along_y) = (Point::new(way.x / columns as f64, 0.0), Point::new(0.0, way.y / rows as f64));
+    let mut points = vec![from];
+    for letter in directions.chars() {
+        let step = if letter == 'x' { along_x } else { along_y };
+        if step.norm() > SHORTEST {
+            points.push(points[points.len() - 1] + step);
+        }
+    }
+    match points.as_mut_slice() {
+        [_, .., last] => *last = to,
+        _ => return Err(refused(what, "port2", format_args!("{to}, the same as port1"), "be somewhere else")),
+    }
+    Ok(points)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn corners(to: (f64, f64), directions: &str) -> Vec<(f64, f64)> {
+        path_xy((0, 0), to, directions).unwrap().points().iter().map(|p| (p.x, p.y)).collect()
+    }
+
+    #[test]
+    fn steps_are_those_of_the_specification() {
+        assert_eq!(corners((12., 8.), "xxyx"), [(0., 0.), (4., 0.), (8., 0.), (8., 8.), (12., 8.)]);
+        assert_eq!(corners((12., 8.), "yyyxy"), [(0., 0.), (0., 2.), (0., 4.), (0., 6.), (12., 6.), (12., 8.)]);
+        assert_eq!(corners((12., 8.), "yxy"), [(0., 0.), (0., 4.), (12., 4.), (12., 8.)]);
+        assert_eq!(corners((12., 8.), "YX"), [(0., 0.), (0., 8.), (12., 8.)]);
+    }
+
+    #[test]
+    fn steps_of_no_length_are_passed_over() {
+        assert_eq!(corners((12., 0.), "xyx"), [(0., 0.), (6., 0.), (12., 0.)]);
+        assert_eq!(corners((12., 0.), "xx"), [(0., 0.), (6., 0.), (12., 0.)]);
+    }
+
+    #[test]
+    fn lines_that_would_not_arrive_are_refused() {
+        let error = path_xy((0, 0), (12, 8), "x").unwrap_err();
+        assert_eq!(error.to_string(), "path_xy: directions is \"x\", but it must have an 'y': 8 µm are to go");
+        assert!(path_xy((0, 0), (12, 8), "").is_err() && path_xy((0, 0), (12, 8), "xz").is_err());
+        assert!(path_xy((1, 1), (1, 1), "xy").is_err());
+    }
+}
