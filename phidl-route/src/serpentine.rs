@@ -23,6 +23,11 @@ const EXACT: f64 = 1e-4;
 const FLATTEST: f64 = 0.1;
 /// The flattest gradual bends (degrees): their slopes turn by 30°.
 const FLATTEST_GRADUAL: f64 = 30.5;
+/// How much of what a flat bump adds is left to its bends; the rest is added by its legs. It keeps legs long enough for
+/// their bends when the line is corrected: a bend of three points instead of two is a fifth longer in what it adds.
+const BY_BENDS: f64 = 0.75;
+/// The same for bends of 90°, which have so many points that one more or less hardly counts.
+const BY_SQUARE_BENDS: f64 = 0.999;
 /// How often the angle of flat bends is bisected: to the last bit.
 const BISECTIONS: usize = 60;
 
@@ -178,6 +183,8 @@ struct Bumps {
     angle: f64,
     /// How far before its corner a bend starts (µm).
     reach: f64,
+    /// How far the bends at the corners of the route itself reach (µm).
+    corner: f64,
     /// Length of a rising or falling leg, from corner to corner (µm).
     rise: f64,
 }
@@ -229,12 +236,13 @@ impl Serpentine<'_> {
     /// The bumps that add a length in a room.
     fn bumps(&self, added: f64, room: f64) -> Result<Bumps> {
         let square = self.lowest(90.0)?;
-        if added < square.gain(self.radius, self.bend)? {
+        let gain = square.gain(self.radius, self.bend)?;
+        let least = gain / BY_SQUARE_BENDS;
+        if added < least {
             return self.flat(added, room);
         }
-        let gain = square.gain(self.radius, self.bend)?;
         self.request.check_room("a straight piece", room, square.span())?;
-        let most = (room / square.span() + EXACT).min(added / gain).floor();
+        let most = (room / square.span() + EXACT).min(added / least).floor();
         let count = phidl_core::num::count::nearest(most).max(1);
         let mut bumps = Bumps { count, ..square };
         bumps.rise += bumps.rise_for(added - gain * count as f64);
@@ -247,8 +255,8 @@ impl Serpentine<'_> {
         let gain = |angle: f64| self.lowest(angle)?.gain(self.radius, self.bend);
         let mut flatter = if self.bend == RouteBend::Gradual { FLATTEST_GRADUAL } else { FLATTEST };
         let least = gain(flatter)?;
-        if added < least {
-            let longer = self.length - added + least;
+        if BY_BENDS * added < least {
+            let longer = self.length - added + least / BY_BENDS;
             return Err(self.request.missing(
                 "a length between the plain route and its flattest bump",
                 self.length,
@@ -258,7 +266,7 @@ impl Serpentine<'_> {
         let mut steeper = 90.0;
         for _ in 0..BISECTIONS {
             let middle = (flatter + steeper) / 2.0;
-            *(if gain(middle)? <= added { &mut flatter } else { &mut steeper }) = middle;
+            *(if gain(middle)? <= BY_BENDS * added { &mut flatter } else { &mut steeper }) = middle;
         }
         let mut bumps = self.lowest(flatter)?;
         bumps.rise += bumps.rise_for(added - gain(flatter)?);
@@ -271,7 +279,7 @@ impl Serpentine<'_> {
     fn lowest(&self, angle: f64) -> Result<Bumps> {
         let chord = self.bend.bend(self.radius, angle)?.end().norm();
         let reach = chord / 2.0 / (angle / 2.0).to_radians().cos();
-        Ok(Bumps { count: 1, angle, reach, rise: 2.0 * reach })
+        Ok(Bumps { count: 1, angle, reach, corner: self.bend.reach(self.radius)?, rise: 2.0 * reach })
     }
 
     fn check_height(&self, bumps: &Bumps) -> Result<()> {
@@ -329,7 +337,7 @@ impl Bumps {
         let up = left_of(along) * side;
         let (sin, cos) = phidl_core::num::angle::sin_cos(self.angle);
         // Only inner ends of a leg have a bend; the middle of the straight piece is the middle of what these leave.
-        let inner = |is_inner: bool| if is_inner { self.reach } else { 0.0 };
+        let inner = |is_inner: bool| if is_inner { self.corner } else { 0.0 };
         let free = (inner(leg > 0), from.distance(to) - inner(leg + 2 < points.len()));
         let start = (free.0 + free.1 - self.span()) / 2.0 + self.reach;
         let bump = |i: usize| {
