@@ -12,9 +12,9 @@ import time
 
 
 def best(work, patience=20.0):
-    """The best of three times; slow work is timed once."""
+    """The best of five times; slow work is timed less often."""
     times = []
-    for _ in range(3):
+    for _ in range(5):
         start = time.perf_counter()
         result = work()
         times.append(time.perf_counter() - start)

@@ -18,7 +18,7 @@ use crate::python::Python;
 pub(crate) const PRECISION: f64 = 1e-4;
 
 /// Ours is timed this often; the best counts, as for the others.
-const REPEATS: usize = 3;
+const REPEATS: usize = 5;
 
 /// Everyone who takes part beside us, by the names that `benches/compare_boolean.py` knows.
 const PEERS: [&str; 4] = ["klayout", "klayout, tiled", "gdstk", "phidl"];

@@ -46,7 +46,8 @@ impl Python {
             .stderr(std::process::Stdio::inherit())
             .output()
             .with_context(|| self.program.display().to_string())?;
-        ensure!(output.status.success(), "{} ended with {}", script.display(), output.status);
-        String::from_utf8(output.stdout).with_context(|| script.display().to_string())
+        let printed = String::from_utf8(output.stdout).with_context(|| script.display().to_string())?;
+        ensure!(output.status.success(), "{} ended with {}\n{printed}", script.display(), output.status);
+        Ok(printed)
     }
 }
