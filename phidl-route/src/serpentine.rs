@@ -14,7 +14,7 @@ use phidl_macros::device;
 use phidl_path::{Bend as _, Path};
 
 use crate::RouteBend;
-use crate::manhattan::{bent, crossing, way_points};
+use crate::manhattan::{Site, bent, way_points};
 use crate::request::{Request, check_positive, left_of};
 
 /// To how much a length is met (µm): a tenth of a step of the usual database grid.
@@ -292,9 +292,15 @@ impl Serpentine<'_> {
 
     /// The side (1 left, −1 right) on which the bumps do not cross the rest of the route.
     fn side(&self, plain: &[Point], leg: usize, bumps: &Bumps) -> Result<f64> {
-        let before = crossing::crossings(plain);
-        let clear = |side: &f64| crossing::crossings(&bumps.inserted(plain, leg, *side)) <= before;
-        [1.0, -1.0].into_iter().find(clear).ok_or_else(|| {
+        let mut site = Site::new(self.request, &self.bend, self.radius)?;
+        let before = site.overlaps(plain)?;
+        for side in [1.0, -1.0] {
+            let after = site.overlaps(&bumps.inserted(plain, leg, side))?;
+            if after.own <= before.own && after.ports <= before.ports {
+                return Ok(side);
+            }
+        }
+        Err({
             let error = ParamError {
                 device: self.request.what().to_owned(),
                 param: "length".to_owned(),

@@ -87,6 +87,7 @@ pub fn route_sharp(
     let drawing = Drawing {
         what: NAME,
         path: &Path::from_points(points)?,
+        finer: None,
         layer: &layer,
         width: width.as_ref(),
         bends,

@@ -96,11 +96,13 @@ pub fn route_smooth(
     let manual_path = manual_path.as_deref();
     let points = Way { what: NAME, path_type, manual_path, length1, length2, left1, radius }.points(&request)?;
     let turns = turns(&points);
-    let path = Path::smooth(points, radius, smooth_options).map_err(|error| error.within(request.between()))?;
+    let smooth = |options| Path::smooth(&points, radius, options).map_err(|error| error.within(request.between()));
+    let (path, finer) = (smooth(smooth_options)?, smooth_options.finer().map(smooth).transpose()?);
     let radii = turns.iter().map(|turn| smooth_options.smallest_radius(radius, *turn)).collect::<Result<Vec<_>>>()?;
     let drawing = Drawing {
         what: NAME,
         path: &path,
+        finer: finer.as_ref(),
         layer: &layer,
         width: width.as_ref(),
         bends: turns.len(),

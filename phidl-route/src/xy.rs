@@ -82,6 +82,7 @@ pub fn route_xy(
     let drawing = Drawing {
         what: NAME,
         path: &Path::from_points(points)?,
+        finer: None,
         layer: &layer,
         width: width.as_ref(),
         bends,

@@ -2,8 +2,10 @@
 
 mod auto;
 mod bend;
+mod clear;
 mod corners;
-pub(crate) mod crossing;
+mod cover;
+mod crossing;
 mod detour;
 mod loops;
 mod route;
@@ -11,7 +13,8 @@ mod route;
 pub(crate) use auto::manhattan;
 pub use auto::path_manhattan;
 pub use bend::RouteBend;
-pub(crate) use bend::smallest_of_euler;
+pub(crate) use bend::recorded;
+pub(crate) use clear::Site;
 pub(crate) use corners::{l, straight, v, z};
 pub use corners::{path_l, path_straight, path_v, path_z};
 pub(crate) use loops::{c, j, u};

@@ -5,13 +5,15 @@ use phidl_core::prelude::*;
 use phidl_macros::device;
 use phidl_path::Path;
 
-use super::{RouteBend, crossing, manhattan};
+use super::RouteBend;
+use super::clear::Site;
+use super::cover::Piece;
 use crate::draw::Drawing;
-use crate::request::{Request, refused, title};
+use crate::request::{Request, micrometers, refused, title};
 use crate::way::turns;
 use crate::width::RouteWidth;
 
-/// Routes may come this close (µm) to where they would touch: rounding.
+/// Routes may lie on one another by this much (µm): rounding.
 const NOISE: f64 = 1e-6;
 
 /// Draws a wire of straight pieces and bends between two ports turned by a multiple of 90° against each other, wherever
@@ -66,9 +68,7 @@ pub fn route_manhattan(
 ) -> Result<Device> {
     let request = Request::new("route_manhattan", &port1, &port2)?;
     let points = way_points(&request, bend, radius)?;
-    let mut d = bent(&request, &points, bend, radius, &layer)?;
-    d.info("crossings", crossing::crossings(&points));
-    d.build()
+    bent(&request, &points, bend, radius, &layer)?.build()
 }
 
 /// Draws wires between ports taken in pairs, the first to the second, the third to the fourth, each as
@@ -163,9 +163,9 @@ pub fn manhattan_centerline(
     Path::smooth(way_points(&request, bend, radius)?, radius, bend)
 }
 
-/// Way points with room for bends.
+/// Way points with room for bends; see [`Site::way_points`].
 pub(crate) fn way_points(request: &Request<'_>, bend: RouteBend, radius: f64) -> Result<Vec<Point>> {
-    let points = manhattan(request, bend.reach(radius)?)?;
+    let points = Site::new(request, &bend, radius)?.way_points()?;
     request.check_way(&points)?;
     Ok(points)
 }
@@ -178,42 +178,43 @@ pub(crate) fn bent(
     radius: f64,
     layer: &Layers,
 ) -> Result<DeviceBuilder> {
-    let turns = turns(points);
-    let radii = turns.iter().map(|turn| bend.smallest_radius(radius, *turn)).collect::<Result<Vec<_>>>()?;
-    let smallest_radius = radii.into_iter().reduce(f64::min);
-    let half_width = request.port1.width() / 2.0;
-    if let Some(smallest) = smallest_radius {
+    let bends = turns(points).len();
+    if bends > 0 {
         // Beyond this the inner edge folds back.
-        request.check_room("a smallest radius", smallest, half_width)?;
+        request.check_room("a radius", radius, request.port1.width() / 2.0)?;
     }
     let drawing = Drawing {
         what: request.what(),
         path: &Path::smooth(points, radius, bend)?,
+        finer: None,
         layer,
         width: Some(&RouteWidth::Constant(request.port1.width())),
-        bends: turns.len(),
-        smallest_radius,
+        bends,
+        smallest_radius: (bends > 0).then_some(radius),
     };
-    drawing.between_ports(request)
+    let mut d = drawing.between_ports(request)?;
+    let overlaps = Site::new(request, &bend, radius)?.overlaps(points)?;
+    d.info("crossings", overlaps.own).info("over_ports", overlaps.ports);
+    Ok(d)
 }
 
-/// Refuses routes that touch one another: legs closer than half the sum of their widths.
+/// Refuses routes that lie on one another.
 fn check_apart(pairs: &[[Port; 2]], bend: RouteBend, radius: f64) -> Result<()> {
     const NAME: &str = "route_manhattan_auto";
-    let mut lines: Vec<(&[Port; 2], Vec<Point>)> = Vec::with_capacity(pairs.len());
+    let mut wires: Vec<(&[Port; 2], Vec<Piece>)> = Vec::with_capacity(pairs.len());
     for pair in pairs {
         let request = Request::new(NAME, &pair[0], &pair[1])?;
-        let line = way_points(&request, bend, radius)?;
-        for (other, before) in &lines {
-            let apart = crossing::distance(&line, before);
-            let least = (pair[0].width() + other[0].width()) / 2.0;
-            if apart < least - NOISE {
-                let route = format!("not touch the route from {}", title("a port", &other[0]));
-                let rule = format!("{route} to {}: {} µm are missing", title("one", &other[1]), least - apart);
-                return Err(request.refused(format_args!("{apart} µm from another"), rule));
+        let pieces = Site::new(&request, &bend, radius)?.cover(&way_points(&request, bend, radius)?)?;
+        for (other, before) in &wires {
+            let depths = pieces.iter().flat_map(|piece| before.iter().map(|other| piece.depth(other)));
+            let depth = depths.fold(0.0, f64::max);
+            if depth > NOISE {
+                let route = format!("not run over the route from {}", title("a port", &other[0]));
+                let rule = format!("{route} to {}: {} are missing", title("one", &other[1]), micrometers(depth));
+                return Err(request.refused("over another one", rule));
             }
         }
-        lines.push((pair, line));
+        wires.push((pair, pieces));
     }
     Ok(())
 }
@@ -238,7 +239,10 @@ mod tests {
         let ports: Vec<Port> =
             [(0, 0, 0), (60, 0, 180), (30, 30, 270), (30, -30, 90)].map(|(x, y, o)| Port::new((x, y), 2, o)).into();
         let error = route_manhattan_auto(ports.clone(), RouteBend::Circular, 10, 1).unwrap_err();
-        assert!(error.to_string().contains("0 µm from another, but it must not touch the route from a port at (0, 0)"));
+        assert!(
+            error.to_string().contains("over another one, but it must not run over the route from a port at (0, 0)")
+        );
+        assert!(error.to_string().ends_with("2 µm are missing"), "{error}");
         let params = RouteManhattanAutoParams::new(ports).allow_crossings(true);
         assert_eq!(params.build().unwrap().references().len(), 2);
     }
@@ -264,6 +268,6 @@ mod tests {
         let to = |width: i32| route_manhattan(((0, 0), width, 0), ((50, 50), 1, 270), RouteBend::Circular, 5, 0);
         assert!(to(10).is_ok());
         let error = to(11).unwrap_err().to_string();
-        assert!(error.contains("a smallest radius of 5 µm, but it must have at least 5.5 µm: 0.5 µm are"), "{error}");
+        assert!(error.contains("a radius of 5 µm, but it must have at least 5.5 µm: 0.5 µm are"), "{error}");
     }
 }

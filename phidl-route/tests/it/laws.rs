@@ -119,8 +119,9 @@ proptest! {
             let route = RouteSmoothParams::new(&ports[0], &ports[1]).radius(radius).smooth_options(options);
             meets(&route.build_uncached().unwrap(), &ports, widths)?;
         }
-        let sharp = RouteSharpParams::new(&ports[0], &ports[1]).width((1, 2)).build_uncached().unwrap();
-        meets(&sharp, &ports, [1.0, 2.0])?;
+        let narrower = [widths[0] / 2.0, widths[1]];
+        let sharp = RouteSharpParams::new(&ports[0], &ports[1]).width((narrower[0], narrower[1]));
+        meets(&sharp.build_uncached().unwrap(), &ports, narrower)?;
     }
 
     #[test]
