@@ -64,16 +64,25 @@ fn gradual(radius: f64, angle: f64) -> Result<Path> {
         return Err(refused("gradual bend", "angle", format_args!("{angle}°"), rule));
     }
     let step = (RISE / f64::from(STEPS)).copysign(angle);
-    let rise = |n: u32| Path::arc(radius * f64::from(STEPS) / f64::from(n), step);
+    let rise = |n: u32| arc(radius * f64::from(STEPS) / f64::from(n), step);
     let mut path = Path::new();
     for n in 1..=STEPS {
         path.append(rise(n)?);
     }
-    path.append(Path::arc(radius, middle.copysign(angle))?);
+    path.append(arc(radius, middle.copysign(angle))?);
     for n in (1..=STEPS).rev() {
         path.append(rise(n)?);
     }
     Ok(path)
+}
+
+/// An arc whose chords turn by half a degree, or as little less as it takes. Chords of one bend must turn alike: a short
+/// one between long ones is cut off more than its length on the inner edge of a wide wire.
+fn arc(radius: f64, angle: f64) -> Result<Path> {
+    const CHORD: f64 = 0.5;
+    let points = (angle.abs() / CHORD).ceil() + 1.0;
+    // Half a point more than it takes: what is cut off of a count is never a whole one.
+    ArcBend::new().num_pts((points + 0.5) * 360.0 / angle.abs()).path(radius, angle)
 }
 
 #[cfg(test)]
