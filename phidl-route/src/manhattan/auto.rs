@@ -20,7 +20,7 @@ pub(crate) const MARGIN: f64 = 0.1;
 ///
 /// Legs between corners are at least `2 · (radius + 0.1)` long, those at the ports `radius + 0.1`. Where it
 /// would cross itself, the shortest line of up to six corners that does not is taken; there is none where, say, the last
-/// leg must cross the first.
+/// leg must cross the first. Nothing is known of widths here; [`route_manhattan`](fn@crate::route_manhattan) minds its own.
 ///
 /// ```
 /// # use phidl_route::path_manhattan;

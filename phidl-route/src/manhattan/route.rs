@@ -25,18 +25,22 @@ const NOISE: f64 = 1e-6;
 ///                   ┴ port2
 /// ```
 ///
-/// The way points are those of [`path_manhattan`](super::path_manhattan), with as much room as the bends need.
+/// The way points are those of [`path_manhattan`](super::path_manhattan), with as much room as the bends need, wherever
+/// the wire as it is drawn is clear of itself and of what lies behind the ports (taken for a piece of wire as wide as the
+/// port and as long as a bend reaches). Elsewhere it is the shortest clear way of up to six corners.
 ///
 /// # Ports
 /// `1` on `port1` and `2` on `port2`, facing them, as wide as `port1`.
 ///
 /// # Info
-/// `length` (µm), `bends`, `smallest_radius` (µm; null without a bend), and `crossings`: how often the route crosses
-/// itself, which is only where the ports are so close that no line of up to six corners can do without.
+/// `length` (µm); `bends`; `smallest_radius` (µm; null without a bend), which is `radius`; and 0 for a sound route:
+/// `crossings`, how many pairs of its straight pieces and bends lie on one another, and `over_ports`, over how many of the
+/// two ports' pieces it runs. They are more only where the ports are closer together than a few bends, so that there is no
+/// way without.
 ///
 /// # Errors
-/// The ports must be at right angles to each other (to 0.0005°), the smallest radius at least half the width, so
-/// that no inner edge folds back.
+/// The ports must be at right angles to each other (to 0.0005°), the radius at least half the width, so that no inner
+/// edge folds back.
 ///
 /// # Examples
 /// ```
@@ -58,7 +62,7 @@ pub fn route_manhattan(
     /// What is drawn at the corners.
     #[default(RouteBend::Circular)]
     bend: RouteBend,
-    /// Radius of the bends: of the centerline; effective for Euler bends, smallest for gradual ones.
+    /// Smallest radius of the bends, on the centerline.
     #[default(20.0)]
     #[param(unit = "um", above = 0.0)]
     radius: f64,
@@ -74,15 +78,18 @@ pub fn route_manhattan(
 /// Draws wires between ports taken in pairs, the first to the second, the third to the fourth, each as
 /// [`route_manhattan`](fn@route_manhattan) draws it.
 ///
+/// Every pair is routed as if it were alone: a wire does not go around another one, so that it stays where it is when a
+/// pair is added. What they do to one another is checked afterwards, as they are drawn.
+///
 /// # Ports
 /// `1`, `2`, `3`, …: one on each of the ports, in their order, facing it.
 ///
 /// # Info
-/// `length` and `bends`, of all routes together, and `smallest_radius`.
+/// `length`, `bends`, `crossings` and `over_ports`, of all routes together, and `smallest_radius`.
 ///
 /// # Errors
-/// The number of ports must be even. Routes that would touch one another are refused with the ports of both, unless
-/// `allow_crossings` is set. What refuses a single route refuses all.
+/// The number of ports must be even. Routes that would run over one another are refused with the ports of both and by how
+/// much they would have to be apart, unless `allow_crossings` is set. What refuses a single route refuses all.
 ///
 /// # Examples
 /// ```
@@ -90,7 +97,7 @@ pub fn route_manhattan(
 /// # use phidl_route::{RouteBend, route_manhattan_auto};
 /// let ports = [((0, 0), 2, 0), ((90, 50), 2, 180), ((0, -10), 2, 0), ((90, 20), 2, 180)];
 /// let error = route_manhattan_auto(ports, RouteBend::Circular, 10, 1).unwrap_err();
-/// assert!(error.to_string().contains("not touch the route from"));
+/// assert!(error.to_string().contains("not run over the route from"));
 /// # Ok::<(), Error>(())
 /// ```
 ///
@@ -110,7 +117,7 @@ pub fn route_manhattan_auto(
     /// Where it is drawn.
     #[default(0)]
     layer: Layers,
-    /// Whether routes may cross or touch one another.
+    /// Whether routes may run over one another.
     #[default(false)]
     #[param(named)]
     allow_crossings: bool,
@@ -124,19 +131,24 @@ pub fn route_manhattan_auto(
         check_apart(pairs, bend, radius)?;
     }
     let mut d = Device::builder(NAME);
-    let (mut length, mut bends, mut smallest) = (0.0, 0, None);
+    let (mut length, mut smallest, mut counts) = (0.0, None, [("bends", 0), ("crossings", 0), ("over_ports", 0)]);
     for (pair, [port1, port2]) in pairs.iter().enumerate() {
         let route = route_manhattan(port1, port2, bend, radius, &layer)?;
         let recorded = |key: &str| route.info().get(key).and_then(Value::as_f64);
         length += recorded("length").unwrap_or_default();
-        bends += route.info().get("bends").map_or(0, |v| i64::from_value(v).unwrap_or_default());
         smallest = smallest.into_iter().chain(recorded("smallest_radius")).reduce(f64::min);
+        for (key, count) in &mut counts {
+            *count += route.info().get(*key).map_or(0, |v| i64::from_value(v).unwrap_or_default());
+        }
         for (i, name) in ["1", "2"].into_iter().enumerate() {
             d.add_port((2 * pair + i + 1).to_string(), route.port(name)?)?;
         }
         d.add(route);
     }
-    d.info("length", length).info("bends", bends).info("smallest_radius", smallest);
+    d.info("length", length).info("smallest_radius", smallest);
+    for (key, count) in counts {
+        d.info(key, count);
+    }
     d.build()
 }
 
@@ -245,6 +257,30 @@ mod tests {
         assert!(error.to_string().ends_with("2 µm are missing"), "{error}");
         let params = RouteManhattanAutoParams::new(ports).allow_crossings(true);
         assert_eq!(params.build().unwrap().references().len(), 2);
+    }
+
+    #[test]
+    fn a_pair_is_routed_as_if_it_were_alone() {
+        // The second wire could pass below the first, but it is the one that it would be without the first.
+        let ports: [Port; 4] =
+            [(0, 0, 0), (90, 50, 180), (0, -10, 0), (90, 20, 180)].map(|(x, y, o)| Port::new((x, y), 2, o));
+        let both = RouteManhattanAutoParams::new(ports.to_vec()).radius(10).allow_crossings(true).build().unwrap();
+        let alone = RouteManhattanParams::new(&ports[2], &ports[3]).radius(10).build().unwrap();
+        let second = &both.references()[1];
+        assert!(second.device().same_cell(&alone));
+    }
+
+    #[test]
+    fn wires_are_apart_as_they_are_drawn_and_not_as_their_way_points_are() {
+        // Two nested corners: the way points are 3 µm apart and the bends nearly √2 times as much.
+        let nested = |width: f64| {
+            let ports = [((0, 0), width, 0), ((60, 60), width, 270), ((0, 3), width, 0), ((57, 60), width, 270)];
+            route_manhattan_auto(ports, RouteBend::Circular, 20, 1)
+        };
+        assert!(nested(2.9).is_ok() && nested(3.1).is_err());
+        // One wire ends in the corner that the bend of the other one cuts off.
+        let ports = [((0, 0), 2, 0), ((60, 60), 2, 270), ((100, 2), 2, 180), ((56, 2), 2, 0)];
+        assert!(route_manhattan_auto(ports, RouteBend::Circular, 20, 1).is_ok());
     }
 
     #[test]

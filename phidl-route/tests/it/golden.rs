@@ -153,6 +153,22 @@ fn centerline(layers: &Json) -> Option<Vec<Point>> {
     Some(right.iter().zip(left.iter().rev()).map(|(p, q)| (*p + *q) / 2.0).collect())
 }
 
+/// Whether an edge of the first outline runs against its middle.
+fn is_folded(layers: &Json) -> bool {
+    let outlines = layers.as_object().and_then(|layers| layers.values().next()).and_then(|layer| layer.get("points"));
+    let (Some(outline), Some(middle)) = (outlines.and_then(|outlines| outlines.get(0)), centerline(layers)) else {
+        return false;
+    };
+    let outline = points(outline);
+    let (right, left) = outline.split_at(outline.len() / 2);
+    let left: Vec<Point> = left.iter().rev().copied().collect();
+    let runs_back = |edge: &[Point]| {
+        let steps = edge.windows(2).zip(middle.windows(2));
+        steps.into_iter().any(|(edge, along)| (edge[1] - edge[0]).dot(along[1] - along[0]) < 0.0)
+    };
+    runs_back(right) || runs_back(&left)
+}
+
 /// By how much the way of a sharp route turns at the most (degrees).
 fn sharpest_corner(case: &Case) -> f64 {
     let kind = case.params.get("path_type").and_then(Json::as_str).unwrap_or("manhattan");

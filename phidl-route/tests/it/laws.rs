@@ -181,7 +181,7 @@ proptest! {
             Ok(path) => path,
             Err(error) => {
                 let text = error.to_string();
-                let told = text.contains("are missing") || text.contains("leave one side");
+                let told = text.contains("are missing") || text.contains("leave one side of a straight piece");
                 prop_assert!(told && text.contains("port1 at") && text.contains("port2 at"), "{text}");
                 return Ok(());
             }
@@ -192,6 +192,7 @@ proptest! {
         let route = RouteSerpentineParams::new(&ports[0], &ports[1], length).bend(bend).radius(radius);
         if let Ok(route) = route.build_uncached() {
             meets(&route, &ports, [ports[0].width(); 2])?;
+            runs_over_itself_as_it_says(&route, ports[0].width())?;
         }
     }
 }
