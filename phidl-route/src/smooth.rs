@@ -22,12 +22,14 @@ use crate::{PathType, RouteWidth, SmoothOptions};
 /// those of its sections.
 ///
 /// # Info
-/// `length` (µm), `bends`, and `smallest_radius` (µm; null without a bend).
+/// `length` (µm), `bends`, and `smallest_radius` (µm; null without a bend). By default this is about half of `radius`, which
+/// is that of the arc as large as the bend.
 ///
 /// # Errors
 /// The way must leave `port1` forwards and enter `port2` from the front, and have room for its bends. A length that the
 /// way does not have, a layer beside a cross-section, and a width of no port and no number are refused. A manhattan way
-/// has room for bends as large as the arc of their radius; for others, set `use_eff`.
+/// has room for bends as large as the arc of their radius; for others, set `use_eff`. A wire whose inner edge folds back,
+/// because a bend is tighter than half the width, is refused with the place of the fold.
 ///
 /// # Numerics
 /// Without a `width`, the width changes from that of `port1` to that of `port2` in proportion to the length. Edges are
