@@ -27,14 +27,16 @@ const STEPS: u32 = 10;
 const RISE: f64 = 15.0;
 
 impl RouteBend {
-    /// How far before its corner the bend of a right angle starts (µm).
-    pub(crate) fn reach(self, radius: f64) -> Result<f64> {
+    /// How far before its corner a bend starts (µm), by the angle (degrees).
+    pub(crate) fn reach(self, radius: f64, angle: f64) -> Result<f64> {
         check_positive("bend", "radius", radius)?;
+        let (sin, cos) = phidl_core::num::angle::sin_cos(angle);
+        let tangent_of_half = sin / (1.0 + cos);
         match self {
-            Self::Circular => Ok(radius),
+            Self::Circular => Ok(radius * tangent_of_half),
             // The record of the fewest points that there can be is that of the curve.
-            Self::Euler => Ok(recorded(&EulerBend::new().num_pts(1).path(radius, 90)?, "Reff")),
-            Self::Gradual => Ok(self.bend(radius, 90.0)?.end().x),
+            Self::Euler => Ok(recorded(&EulerBend::new().num_pts(1).path(radius, angle)?, "Reff") * tangent_of_half),
+            Self::Gradual => Ok(self.bend(radius, angle)?.end().norm() / 2.0 / (angle / 2.0).to_radians().cos()),
         }
     }
 }
@@ -113,14 +115,14 @@ mod tests {
     fn reaches_are_those_of_the_bends() {
         for bend in [RouteBend::Circular, RouteBend::Euler, RouteBend::Gradual] {
             let path = bend.bend(7.0, 90.0).unwrap();
-            assert!((bend.reach(7.0).unwrap() - path.end().x).abs() < 1e-9);
+            assert!((bend.reach(7.0, 90.0).unwrap() - path.end().x).abs() < 1e-9);
         }
-        assert!(RouteBend::Gradual.bend(7.0, 20.0).is_err() && RouteBend::Gradual.reach(-1.0).is_err());
+        assert!(RouteBend::Gradual.bend(7.0, 20.0).is_err() && RouteBend::Gradual.reach(-1.0, 90.0).is_err());
     }
 
     #[test]
     fn an_euler_bend_reaches_as_far_as_the_specification_says() {
         // A bend of smallest radius 3 that turns by 90° ends at (5.61, 5.61).
-        assert!((RouteBend::Euler.reach(3.0).unwrap() - 5.610_287_54).abs() < 1e-8);
+        assert!((RouteBend::Euler.reach(3.0, 90.0).unwrap() - 5.610_287_54).abs() < 1e-8);
     }
 }

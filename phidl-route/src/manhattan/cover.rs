@@ -7,12 +7,14 @@
 //! tighter than half the width: with one corner between them two legs are the sides of a bend, with two they are the sides
 //! of a U (at least two radii apart) or of an S, and of three bends in a row each lies in a quadrant of its own.
 
+use std::cell::OnceCell;
 use std::rc::Rc;
 
 use phidl_core::Result;
 use phidl_core::geom::{Point, Rect};
-use phidl_path::Bend;
+use phidl_path::Bend as _;
 
+use super::RouteBend;
 use crate::request::left_of;
 
 /// Pieces that share a strip no wider than this (µm) only touch: rounding.
@@ -29,9 +31,10 @@ const APART: usize = 6;
 type Quad = [Point; 4];
 
 /// A wire: how wide it is and what it does at its corners.
-pub(crate) struct Wire<'a> {
+#[derive(Debug)]
+pub(crate) struct Wire {
     half_width: f64,
-    bend: Option<(&'a dyn Bend, f64)>,
+    bend: Option<(RouteBend, f64)>,
     /// Bends to the left, by the angles at which they were needed.
     shapes: Vec<Rc<Shape>>,
 }
@@ -43,8 +46,12 @@ struct Shape {
     angle: f64,
     /// How far before its corner it starts (µm).
     reach: f64,
+    /// A box around it.
     bounds: Rect,
-    quads: Vec<Quad>,
+    half_width: f64,
+    bend: Option<(RouteBend, f64)>,
+    /// Cut when first asked for: most bends are nowhere near another one.
+    quads: OnceCell<Vec<Quad>>,
 }
 
 /// A leg or a bend of a wire.
@@ -63,9 +70,9 @@ enum Covered {
     Bend(Rc<Shape>, [Point; 3]),
 }
 
-impl<'a> Wire<'a> {
+impl Wire {
     /// A wire with bends of a radius (µm) at its corners.
-    pub(crate) fn bent(width: f64, bend: &'a dyn Bend, radius: f64) -> Self {
+    pub(crate) fn bent(width: f64, bend: RouteBend, radius: f64) -> Self {
         Self { half_width: (width / 2.0).max(THINNEST), bend: Some((bend, radius)), shapes: Vec::new() }
     }
 
@@ -125,27 +132,38 @@ impl<'a> Wire<'a> {
 }
 
 impl Shape {
-    fn new(bend: Option<(&dyn Bend, f64)>, angle: f64, half_width: f64) -> Result<Self> {
-        let Some((bend, radius)) = bend else {
-            let corner = [(-1, -1), (1, -1), (1, 1), (-1, 1)].map(|p| Point::from(p) * half_width);
-            return Ok(Self { angle, reach: 0.0, bounds: around(corner), quads: vec![corner] });
-        };
-        let path = bend.bend(radius, angle)?;
-        let points = path.points();
-        let last = points.len() - 1;
-        let normal = |i: usize| match i {
-            0 => Point::new(0.0, 1.0),
-            i if i == last => Point::polar(1.0, angle + 90.0),
-            i => left_of(points[i + 1] - points[i - 1]) / points[i + 1].distance(points[i - 1]),
-        };
-        let edges = |i: usize| [points[i] + normal(i) * half_width, points[i] - normal(i) * half_width];
-        let edges: Vec<[Point; 2]> = (0..=last).map(edges).collect();
-        let slice = last.div_ceil(SLICES);
-        let quads = (0..last).step_by(slice).map(|from| covering(&edges[from..=(from + slice).min(last)]));
-        let quads: Vec<Quad> = quads.collect();
-        let reach = path.end().norm() / 2.0 / (angle / 2.0).to_radians().cos();
-        Ok(Self { angle, reach, bounds: around(quads.iter().flatten().copied()), quads })
+    fn new(bend: Option<(RouteBend, f64)>, angle: f64, half_width: f64) -> Result<Self> {
+        let reach = bend.map_or(Ok(0.0), |(bend, radius)| bend.reach(radius, angle))?;
+        // Between its tangents, and so in the triangle that they make with its chord.
+        let after = Point::polar(reach, angle);
+        let triangle = [Point::ORIGIN, Point::new(reach, 0.0), Point::new(reach, 0.0) + after];
+        let bounds = around(triangle).grown(half_width);
+        Ok(Self { angle, reach, bounds, half_width, bend, quads: OnceCell::new() })
     }
+
+    fn quads(&self) -> &[Quad] {
+        self.quads.get_or_init(|| match self.bend {
+            None => vec![[(-1, -1), (1, -1), (1, 1), (-1, 1)].map(|p| Point::from(p) * self.half_width)],
+            Some((bend, radius)) => {
+                let path = bend.bend(radius, self.angle).expect("invariant: a bend that has a reach can be drawn");
+                slices(path.points(), self.angle, self.half_width)
+            }
+        })
+    }
+}
+
+/// The quadrilaterals over a bend to the left with these points that turns by an angle (degrees).
+fn slices(points: &[Point], angle: f64, half_width: f64) -> Vec<Quad> {
+    let last = points.len() - 1;
+    let normal = |i: usize| match i {
+        0 => Point::new(0.0, 1.0),
+        i if i == last => Point::polar(1.0, angle + 90.0),
+        i => left_of(points[i + 1] - points[i - 1]) / points[i + 1].distance(points[i - 1]),
+    };
+    let edges = |i: usize| [points[i] + normal(i) * half_width, points[i] - normal(i) * half_width];
+    let edges: Vec<[Point; 2]> = (0..=last).map(edges).collect();
+    let slice = last.div_ceil(SLICES);
+    (0..last).step_by(slice).map(|from| covering(&edges[from..=(from + slice).min(last)])).collect()
 }
 
 /// The quadrilateral over a stretch of a bend to the left, given by its inner and outer edge. The chord of the inner edge
@@ -206,7 +224,7 @@ impl Piece {
     fn quads(&self) -> impl Iterator<Item = Quad> {
         let (quads, frame) = match &self.covered {
             Covered::Straight(quad) => (std::slice::from_ref(quad), None),
-            Covered::Bend(shape, frame) => (&shape.quads[..], Some(frame)),
+            Covered::Bend(shape, frame) => (shape.quads(), Some(frame)),
         };
         quads.iter().map(move |quad| frame.map_or(*quad, |frame| quad.map(|p| placed(p, frame))))
     }
@@ -240,6 +258,9 @@ fn shared_across([from, to]: [Point; 2], a: &Quad, b: &Quad) -> f64 {
 
 /// How many pairs of pieces of a wire lie on one another.
 pub(crate) fn self_overlaps(pieces: &[Piece]) -> usize {
+    if pieces.len() <= APART {
+        return 0;
+    }
     pairs(pieces).filter(|[a, b]| a.lies_on(b)).count()
 }
 
@@ -264,12 +285,12 @@ fn pairs(pieces: &[Piece]) -> impl Iterator<Item = [&Piece; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::RouteBend;
+    use phidl_core::place::Bounded as _;
 
     fn overlaps(width: f64, points: &[(f64, f64)]) -> usize {
         let points: Vec<Point> = points.iter().copied().map(Point::from).collect();
         let count = |points: &[Point]| {
-            let pieces = Wire::bent(width, &RouteBend::Circular, 5.0).cover(points).unwrap();
+            let pieces = Wire::bent(width, RouteBend::Circular, 5.0).cover(points).unwrap();
             self_overlaps(&pieces)
         };
         let turn = phidl_core::geom::Transform::rotation(37.0);
@@ -305,12 +326,14 @@ mod tests {
     fn a_wire_covers_no_less_than_what_is_drawn() {
         for bend in [RouteBend::Circular, RouteBend::Euler, RouteBend::Gradual] {
             for angle in [40.0, 90.0] {
-                let shape = Shape::new(Some((&bend, 7.0)), angle, 2.0).unwrap();
+                let shape = Shape::new(Some((bend, 7.0)), angle, 2.0).unwrap();
                 let path = bend.bend(7.0, angle).unwrap();
                 let drawn = path.extrude_width(4, 1).unwrap();
                 let drawn_area = drawn.polygons().next().unwrap().area();
-                let covered: f64 = shape.quads.iter().map(|quad| phidl_core::geom::signed_area(quad).abs()).sum();
+                let covered: f64 = shape.quads().iter().map(|quad| phidl_core::geom::signed_area(quad).abs()).sum();
                 assert!(covered >= drawn_area && covered < 1.004 * drawn_area, "{bend:?}: {covered} {drawn_area}");
+                let [min, max] = drawn.bbox().map(|b| [b.min, b.max]).unwrap();
+                assert!([min, max].iter().all(|p| shape.bounds.grown(1e-9).contains(*p)), "{bend:?} {angle}");
             }
         }
     }

@@ -29,7 +29,7 @@ const USUAL: Lines = Lines { corners: 6, beside: &[1.0, -1.0, 2.0, -2.0, 3.0, -3
 pub(crate) fn shortest(
     request: &Request<'_>,
     reach: f64,
-    wire: &mut Wire<'_>,
+    wire: &mut Wire,
     obstacles: &[Piece],
 ) -> Result<Option<Vec<Point>>> {
     shortest_of(&USUAL, request, reach, wire, obstacles)
@@ -39,7 +39,7 @@ fn shortest_of(
     tried: &Lines,
     request: &Request<'_>,
     reach: f64,
-    wire: &mut Wire<'_>,
+    wire: &mut Wire,
     obstacles: &[Piece],
 ) -> Result<Option<Vec<Point>>> {
     let goal = request.seen(request.port2.midpoint());
@@ -74,7 +74,7 @@ fn beside(tried: &Lines, coordinate: f64, reach: f64) -> Vec<f64> {
 
 /// A search in the frame of the first port, depth first; what is already longer than the best is cut off. The last corner
 /// is chosen first, for it is between the two ends that there is no room.
-struct Search<'a, 'b> {
+struct Search<'a> {
     goal: Point,
     /// Direction in which the goal is entered.
     enter: Point,
@@ -82,7 +82,7 @@ struct Search<'a, 'b> {
     /// Coordinates on which legs may lie: of x, and of y.
     lines: [Vec<f64>; 2],
     corners: usize,
-    wire: &'a mut Wire<'b>,
+    wire: &'a mut Wire,
     obstacles: &'a [Piece],
     /// The last corner, and the direction in which it is reached.
     last: [Point; 2],
@@ -93,7 +93,7 @@ struct Search<'a, 'b> {
     best: Option<(f64, Vec<Point>)>,
 }
 
-impl Search<'_, '_> {
+impl Search<'_> {
     /// The best line with so many corners.
     fn run(&mut self) -> Result<Option<Vec<Point>>> {
         let (enter, across) = (self.enter, left_of(self.enter));
@@ -242,7 +242,7 @@ mod tests {
         let (mut none, mut found) = (0, 0);
         for [a, b] in placements(4) {
             let request = Request::new("test", &a, &b).unwrap();
-            let mut wire = Wire::bent(2.0, &RouteBend::Circular, 3.0);
+            let mut wire = Wire::bent(2.0, RouteBend::Circular, 3.0);
             if shortest(&request, 3.1, &mut wire, &[]).unwrap().is_some() {
                 found += 1;
                 continue;

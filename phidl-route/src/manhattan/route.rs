@@ -6,7 +6,7 @@ use phidl_macros::device;
 use phidl_path::Path;
 
 use super::RouteBend;
-use super::clear::Site;
+use super::clear::{Led, Site};
 use super::cover::Piece;
 use crate::draw::Drawing;
 use crate::request::{Request, micrometers, refused, title};
@@ -71,8 +71,8 @@ pub fn route_manhattan(
     layer: Layers,
 ) -> Result<Device> {
     let request = Request::new("route_manhattan", &port1, &port2)?;
-    let points = way_points(&request, bend, radius)?;
-    bent(&request, &points, bend, radius, &layer)?.build()
+    let led = Site::new(&request, bend, radius)?.led()?;
+    bent(&request, &led, bend, radius, &layer)?.build()
 }
 
 /// Draws wires between ports taken in pairs, the first to the second, the third to the fourth, each as
@@ -172,32 +172,25 @@ pub fn manhattan_centerline(
 ) -> Result<Path> {
     let (port1, port2, radius) = (port1.into(), port2.into(), radius.into());
     let request = Request::new("manhattan_centerline", &port1, &port2)?;
-    Path::smooth(way_points(&request, bend, radius)?, radius, bend)
-}
-
-/// Way points with room for bends; see [`Site::way_points`].
-pub(crate) fn way_points(request: &Request<'_>, bend: RouteBend, radius: f64) -> Result<Vec<Point>> {
-    let points = Site::new(request, &bend, radius)?.way_points()?;
-    request.check_way(&points)?;
-    Ok(points)
+    Path::smooth(Site::new(&request, bend, radius)?.led()?.points, radius, bend)
 }
 
 /// Way points with bends at their corners, drawn as wide as the first port.
 pub(crate) fn bent(
     request: &Request<'_>,
-    points: &[Point],
+    led: &Led,
     bend: RouteBend,
     radius: f64,
     layer: &Layers,
 ) -> Result<DeviceBuilder> {
-    let bends = turns(points).len();
+    let bends = turns(&led.points).len();
     if bends > 0 {
         // Beyond this the inner edge folds back.
         request.check_room("a radius", radius, request.port1.width() / 2.0)?;
     }
     let drawing = Drawing {
         what: request.what(),
-        path: &Path::smooth(points, radius, bend)?,
+        path: &Path::smooth(&led.points, radius, bend)?,
         finer: None,
         layer,
         width: Some(&RouteWidth::Constant(request.port1.width())),
@@ -205,8 +198,7 @@ pub(crate) fn bent(
         smallest_radius: (bends > 0).then_some(radius),
     };
     let mut d = drawing.between_ports(request)?;
-    let overlaps = Site::new(request, &bend, radius)?.overlaps(points)?;
-    d.info("crossings", overlaps.own).info("over_ports", overlaps.ports);
+    d.info("crossings", led.crossings).info("over_ports", led.over_ports);
     Ok(d)
 }
 
@@ -216,7 +208,9 @@ fn check_apart(pairs: &[[Port; 2]], bend: RouteBend, radius: f64) -> Result<()> 
     let mut wires: Vec<(&[Port; 2], Vec<Piece>)> = Vec::with_capacity(pairs.len());
     for pair in pairs {
         let request = Request::new(NAME, &pair[0], &pair[1])?;
-        let pieces = Site::new(&request, &bend, radius)?.cover(&way_points(&request, bend, radius)?)?;
+        let mut site = Site::new(&request, bend, radius)?;
+        let points = site.led()?.points;
+        let pieces = site.cover(&points)?;
         for (other, before) in &wires {
             let depths = pieces.iter().flat_map(|piece| before.iter().map(|other| piece.depth(other)));
             let depth = depths.fold(0.0, f64::max);

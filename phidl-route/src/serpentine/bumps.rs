@@ -83,7 +83,7 @@ impl Bumps {
         let path = bend.bend(radius, angle)?;
         let reach = path.end().norm() / 2.0 / (angle / 2.0).to_radians().cos();
         let gain = 4.0 * (path.length() - reach * (1.0 + cos(angle)));
-        Ok(Self { count: 1, angle, reach, gain, corner: bend.reach(radius)?, rise: 2.0 * reach })
+        Ok(Self { count: 1, angle, reach, gain, corner: bend.reach(radius, 90.0)?, rise: 2.0 * reach })
     }
 
     /// Makes the legs so much longer that together they add a length (µm).

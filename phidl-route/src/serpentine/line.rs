@@ -15,7 +15,7 @@ use phidl_path::Path;
 
 use super::bumps::Bumps;
 use crate::RouteBend;
-use crate::manhattan::{Site, bent, way_points};
+use crate::manhattan::{Led, Site, bent};
 use crate::request::{Request, refused};
 
 /// To how much a length is met (µm): a tenth of a step of the usual database grid.
@@ -34,23 +34,24 @@ pub(super) struct Serpentine<'a> {
 
 impl Serpentine<'_> {
     pub(super) fn drawn(&self, layer: &Layers) -> Result<DeviceBuilder> {
-        bent(self.request, &self.points()?, self.bend, self.radius, layer)
+        bent(self.request, &self.led()?, self.bend, self.radius, layer)
     }
 
-    /// The way points with bumps.
-    pub(super) fn points(&self) -> Result<Vec<Point>> {
-        let plain = way_points(self.request, self.bend, self.radius)?;
-        let missing = self.length - self.measured(&plain)?;
+    /// The wire along way points with bumps.
+    pub(super) fn led(&self) -> Result<Led> {
+        let mut site = Site::new(self.request, self.bend, self.radius)?;
+        let plain = site.led()?;
+        let missing = self.length - self.measured(&plain.points)?;
         if missing.abs() <= EXACT {
             return Ok(plain);
         }
         if missing < 0.0 {
             return Err(self.request.missing("a length", self.length, self.length - missing));
         }
-        let points = self.lengthened(&plain, missing)?;
-        let left = self.length - self.measured(&points)?;
+        let led = self.lengthened(&mut site, &plain, missing)?;
+        let left = self.length - self.measured(&led.points)?;
         match left.abs() <= EXACT {
-            true => Ok(points),
+            true => Ok(led),
             false => Err(self.request.missing("a length", self.length - left, self.length)),
         }
     }
@@ -59,13 +60,11 @@ impl Serpentine<'_> {
         Ok(Path::smooth(points, self.radius, self.bend)?.length())
     }
 
-    /// The way points with bumps on the first straight piece and side on which they are clear. If there are none, the
-    /// error is that of the piece with most room.
-    fn lengthened(&self, plain: &[Point], missing: f64) -> Result<Vec<Point>> {
-        let mut site = Site::new(self.request, &self.bend, self.radius)?;
-        let before = site.overlaps(plain)?;
+    /// The wire with bumps on the first straight piece and side on which it is clear. If it is nowhere, the error is that
+    /// of the piece with most room.
+    fn lengthened(&self, site: &mut Site<'_>, plain: &Led, missing: f64) -> Result<Led> {
         let mut first_error = None;
-        for (leg, room) in self.by_room(plain)? {
+        for (leg, room) in self.by_room(&plain.points)? {
             let bumps = match self.bumps(missing, room) {
                 Ok(bumps) => bumps,
                 Err(error) => {
@@ -74,10 +73,9 @@ impl Serpentine<'_> {
                 }
             };
             for side in [1.0, -1.0] {
-                let points = self.corrected(bumps, plain, leg, side)?;
-                let after = site.overlaps(&points)?;
-                if after.own <= before.own && after.ports <= before.ports {
-                    return Ok(points);
+                let led = site.along(self.corrected(bumps, &plain.points, leg, side)?)?;
+                if led.crossings <= plain.crossings && led.over_ports <= plain.over_ports {
+                    return Ok(led);
                 }
             }
             first_error.get_or_insert_with(|| self.no_side());
@@ -87,7 +85,7 @@ impl Serpentine<'_> {
 
     /// The legs by how long their straight pieces are (µm), the longest first.
     fn by_room(&self, points: &[Point]) -> Result<Vec<(usize, f64)>> {
-        let reach = self.bend.reach(self.radius)?;
+        let reach = self.bend.reach(self.radius, 90.0)?;
         let last = points.len() - 2;
         let room = |leg: usize| {
             let corners = u8::from(leg > 0) + u8::from(leg < last);

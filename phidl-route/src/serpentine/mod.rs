@@ -149,8 +149,8 @@ pub fn serpentine_centerline(
     let (port1, port2, length, radius) = (port1.into(), port2.into(), length.into(), radius.into());
     check_positive("serpentine_centerline", "length", length)?;
     let request = Request::new("serpentine_centerline", &port1, &port2)?;
-    let points = Serpentine { request: &request, length, bend, radius, max_height: None }.points()?;
-    Path::smooth(points, radius, bend)
+    let led = Serpentine { request: &request, length, bend, radius, max_height: None }.led()?;
+    Path::smooth(led.points, radius, bend)
 }
 
 #[cfg(test)]
