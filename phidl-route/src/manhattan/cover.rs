@@ -27,6 +27,10 @@ const SLICES: usize = 24;
 /// Places along the way by which two pieces must differ to be compared: legs have even numbers, corners odd ones.
 const APART: usize = 6;
 
+/// A right angle, and how much (degrees) makes no difference to a bend.
+const RIGHT: f64 = 90.0;
+const ALIKE: f64 = 1e-6;
+
 /// A convex quadrilateral, counter-clockwise or not.
 type Quad = [Point; 4];
 
@@ -117,8 +121,6 @@ impl Wire {
     }
 
     fn shape(&mut self, before: Point, after: Point) -> Result<&Rc<Shape>> {
-        /// Bends that turn alike to so much (degrees) are one.
-        const ALIKE: f64 = 1e-6;
         let angle = before.cross(after).abs().atan2(before.dot(after)).to_degrees();
         let number = match self.shapes.iter().position(|shape| (shape.angle - angle).abs() < ALIKE) {
             Some(number) => number,
@@ -135,9 +137,13 @@ impl Shape {
     fn new(bend: Option<(RouteBend, f64)>, angle: f64, half_width: f64) -> Result<Self> {
         let reach = bend.map_or(Ok(0.0), |(bend, radius)| bend.reach(radius, angle))?;
         // Between its tangents, and so in the triangle that they make with its chord.
-        let after = Point::polar(reach, angle);
-        let triangle = [Point::ORIGIN, Point::new(reach, 0.0), Point::new(reach, 0.0) + after];
-        let bounds = around(triangle).grown(half_width);
+        let corner = Point::new(reach, 0.0);
+        let mut bounds = around([Point::ORIGIN, corner, corner + Point::polar(reach, angle)]).grown(half_width);
+        // But never behind its faces, or it would seem to lie on what it joins.
+        if angle < RIGHT + ALIKE && bend.is_some() {
+            bounds.min.x = 0.0;
+            bounds.max.y = if angle > RIGHT - ALIKE { reach } else { bounds.max.y };
+        }
         Ok(Self { angle, reach, bounds, half_width, bend, quads: OnceCell::new() })
     }
 
