@@ -46,7 +46,7 @@ const NOISE: f64 = 1e-6;
 /// ```
 /// # use phidl_core::prelude::*;
 /// # use phidl_route::{RouteBend, route_manhattan};
-/// let wire = route_manhattan(((0, 0), 2, 0), ((80, -30), 2, 0), RouteBend::Euler, 10, 1)?;
+/// let wire = route_manhattan(((0, 0), 2, 0), ((80, -50), 2, 0), RouteBend::Euler, 10, 1)?;
 /// assert_eq!(wire.info()["bends"].as_f64(), Some(2.0));
 /// # Ok::<(), Error>(())
 /// ```
