@@ -110,4 +110,18 @@ mod tests {
         let led = led(1.0, 1.0, 1.0, 270);
         assert!(led.crossings > 0);
     }
+
+    #[test]
+    fn no_size_makes_it_panic_or_hang() {
+        for radius in [1e-300, 1e-12, 1e12, 1e150, 1e300, 1e308] {
+            for far in [0.0, 1e-300, 1e-9, 1e9, 1e160, 1e308] {
+                for turn in 0..4 {
+                    for bend in [RouteBend::Circular, RouteBend::Euler, RouteBend::Gradual] {
+                        let (a, b) = (Port::new((0, 0), 1e-3, 0), Port::new((far, -far), 1e-3, 90 * turn));
+                        let _ = crate::RouteManhattanParams::new(&a, &b).radius(radius).bend(bend).build_uncached();
+                    }
+                }
+            }
+        }
+    }
 }

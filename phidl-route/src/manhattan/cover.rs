@@ -15,7 +15,7 @@ use phidl_core::geom::{Point, Rect};
 use phidl_path::Bend as _;
 
 use super::RouteBend;
-use crate::request::left_of;
+use crate::request::{left_of, refused};
 
 /// Pieces that share a strip no wider than this (µm) only touch: rounding.
 const TOUCH: f64 = 1e-6;
@@ -135,6 +135,10 @@ impl Wire {
 
 impl Shape {
     fn new(bend: Option<(RouteBend, f64)>, angle: f64, half_width: f64) -> Result<Self> {
+        if !angle.is_finite() {
+            // Legs of no length, or further apart than numbers reach.
+            return Err(refused("route", "way points", "a corner without directions", "be finite and apart"));
+        }
         let reach = bend.map_or(Ok(0.0), |(bend, radius)| bend.reach(radius, angle))?;
         // Between its tangents, and so in the triangle that they make with its chord.
         let corner = Point::new(reach, 0.0);

@@ -52,7 +52,8 @@ const NOISE: f64 = 1e-6;
 /// ```
 ///
 /// # Source
-/// Own design, compatible with PHIDL 1.5's `route_manhattan` in parameters, ports and bends.
+/// Own design, compatible with PHIDL 1.5's `route_manhattan` in parameters, ports and bends, but for the size of Euler
+/// bends: see [`RouteBend::Euler`].
 #[device(example = RouteManhattanParams::new(((0, 0), 2, 0), ((80, -30), 2, 0)))]
 pub fn route_manhattan(
     /// Where it starts; its width is that of the route.

@@ -1,7 +1,7 @@
 //! [`Bumps`]: what makes a straight piece longer.
 //!
-//! A bump has four corners: up, along, down, and on. As many as there is room for stand side by side, as high as the
-//! length asks for. Where the whole of it is less than what bends of 90° add, there is one bump of flatter bends, so that
+//! A bump has four corners: up, along, down, and on. As many as there is room for, at most 5000, stand side by side, as
+//! high as the length asks for. Where the whole of it is less than what bends of 90° add, there is one bump of flatter bends, so that
 //! every length from the shortest on can be had (with gradual bends, those between are missing).
 
 use phidl_core::Result;
@@ -23,6 +23,8 @@ const BY_BENDS: f64 = 0.75;
 const BY_SQUARE_BENDS: f64 = 0.999;
 /// How often the angle of flat bends is bisected: to the last bit.
 const BISECTIONS: usize = 60;
+/// The most bumps that there are, however small they could be: some millions of points.
+const MOST: f64 = 5000.0;
 /// By how much a room may be too small for its bumps (in bumps): rounding.
 const ROUNDING: f64 = 1e-9;
 
@@ -51,7 +53,7 @@ impl Bumps {
         if added < least {
             return Self::flat(added, bend, radius);
         }
-        let most = (room / square.span() + ROUNDING).min(added / least).floor();
+        let most = (room / square.span() + ROUNDING).min(added / least).min(MOST).floor();
         let mut bumps = Self { count: count::nearest(most).max(1), ..square };
         bumps.lengthen(added - square.gain * bumps.count as f64);
         Ok(Some(bumps))
