@@ -101,7 +101,7 @@ impl Param for MaxSize {
 /// # Source
 /// The maximal-rectangles method after J. Jylänki, "A thousand ways to pack the bin" (2010); compatible with PHIDL's
 /// `packer`, at its density or above. Without its `verbose`: nothing here prints.
-#[device(example = PackerParams::new((1..=8).map(|n| rectangle((n, 9 - n), 0)).collect::<Result<Vec<_>>>()?))]
+#[device(picture = "docs/packer.svg", example = PackerParams::new((1..=8).map(|n| rectangle((n, 9 - n), n)).collect::<Result<Vec<_>>>()?).spacing(1))]
 pub fn packer(
     /// The cells.
     #[param(name = "D_list")]

@@ -31,7 +31,7 @@ use super::rectangle;
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `cross`.
-#[device]
+#[device(picture = "docs/cross.svg")]
 pub fn cross(
     /// Length of both bars.
     #[default(10.0)]

@@ -31,7 +31,7 @@ use phidl_macros::device;
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `rectangle`.
-#[device]
+#[device(picture = "docs/rectangle.svg")]
 pub fn rectangle(
     /// Width and height.
     #[default((4, 2))]
@@ -63,7 +63,7 @@ pub fn rectangle(
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `bbox`.
-#[device]
+#[device(picture = "docs/bbox.svg")]
 pub fn bbox(
     /// Two opposite corners.
     #[default([(-1, -1), (3, 4)])]
@@ -106,7 +106,7 @@ pub fn bbox(
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `straight`.
-#[device]
+#[device(picture = "docs/straight.svg")]
 pub fn straight(
     /// Width of the wire and its length.
     #[default((4, 2))]

@@ -31,7 +31,7 @@ use crate::basic::rectangle;
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `compass`.
-#[device]
+#[device(picture = "docs/compass.svg")]
 pub fn compass(
     /// Width and height.
     #[default((4, 2))]

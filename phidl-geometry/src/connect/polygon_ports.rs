@@ -35,7 +35,7 @@ use phidl_macros::device;
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `polygon_ports`.
-#[device]
+#[device(picture = "docs/polygon_ports.svg")]
 pub fn polygon_ports(
     /// x of the points.
     #[default([-1, -1, 0, 0])]

@@ -36,7 +36,7 @@ use phidl_macros::device;
 /// # Source
 /// J. R. Clem and K. K. Berggren, "Geometry-dependent critical currents in superconducting nanocircuits", Phys. Rev. B
 /// 84, 174510 (2011), <https://doi.org/10.1103/PhysRevB.84.174510>.
-#[device]
+#[device(picture = "docs/optimal_90deg.svg")]
 pub fn optimal_90deg(
     /// Width of the wire.
     #[default(100.0)]
@@ -46,7 +46,7 @@ pub fn optimal_90deg(
     #[default(15)]
     #[param(min = 2, max = 1000000)]
     num_pts: usize,
-    /// How far the leads reach: about 1.47 widths more for 1 more.
+    /// How far the leads reach, a pure number: about 1.47 widths more for 1 more.
     #[default(1.0)]
     #[param(above = 0.0, max = 100.0)]
     length_adjust: f64,

@@ -45,7 +45,7 @@ const SMALLEST_STEP: f64 = 1e-6;
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `racetrack_gradual`.
-#[device]
+#[device(picture = "docs/racetrack_gradual.svg")]
 pub fn racetrack_gradual(
     /// Width of the wire.
     #[default(0.3)]

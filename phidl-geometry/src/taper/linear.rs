@@ -34,7 +34,7 @@ const DEFAULT_WIDTH: f64 = 5.0;
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `taper`.
-#[device]
+#[device(picture = "docs/taper.svg", example = TaperParams::default().width2(1))]
 pub fn taper(
     /// Length.
     #[default(10.0)]
@@ -93,7 +93,7 @@ pub fn taper(
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `ramp`.
-#[device]
+#[device(picture = "docs/ramp.svg")]
 pub fn ramp(
     /// Length.
     #[default(10.0)]

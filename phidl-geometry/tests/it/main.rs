@@ -2,6 +2,7 @@
 
 mod arrange;
 mod deplof;
+mod docs;
 mod domain;
 mod extremes;
 mod fill;
