@@ -7,14 +7,6 @@ use super::rectangle;
 
 /// Draws a cross of two equal bars around the origin: a mark to align to.
 ///
-/// ```text
-///      ┌─┐
-///   ┌──┘ └──┐
-///   └──┐ ┌──┘ width
-///      └─┘
-///    length
-/// ```
-///
 /// The bars are two references to one [`rectangle`](fn@rectangle) and overlap in the middle.
 ///
 /// # Ports

@@ -8,13 +8,6 @@ use phidl_macros::device;
 
 /// Draws a rectangle with its lower left corner at the origin.
 ///
-/// ```text
-///   ┌────────┐ height
-///   │        │
-///   └────────┘
-///  (0,0)   width
-/// ```
-///
 /// A negative extent draws to the other side of the origin; a zero one draws a line without area.
 ///
 /// # Ports
@@ -80,14 +73,6 @@ pub fn bbox(
 }
 
 /// Draws a straight wire that runs upwards: a rectangle with a port at either end.
-///
-/// ```text
-///      1
-///   ┌──┴──┐ height
-///   │     │
-///   └──┬──┘
-///      2
-/// ```
 ///
 /// # Ports
 /// `1` above, facing 90°, and `2` below, facing 270°; both `size.width` wide.

@@ -7,14 +7,6 @@ use crate::basic::rectangle;
 
 /// Draws a rectangle around the origin with a port on each side.
 ///
-/// ```text
-///        N
-///    ┌───┴───┐
-///  W ┤   ·   ├ E
-///    └───┬───┘
-///        S
-/// ```
-///
 /// The rectangle is a reference to one [`rectangle`](fn@rectangle).
 ///
 /// # Ports

@@ -13,14 +13,6 @@ const SIDES: [(&str, f64); 4] = [("N", 90.0), ("S", 270.0), ("E", 0.0), ("W", 18
 
 /// Draws a rectangle around the origin with several ports on each side.
 ///
-/// ```text
-///      N1  N2  N3
-///    ┌─┴───┴───┴─┐
-/// W1 ┤     ·     ├ E1
-///    └─┬──┬──┬──┬┘
-///     S1 S2 S3 S4
-/// ```
-///
 /// The rectangle is a reference to one [`rectangle`](fn@rectangle).
 ///
 /// # Ports

@@ -6,15 +6,7 @@ use phidl_macros::device;
 
 /// Draws a nanowire bend of 90° whose inner edge keeps the current from crowding.
 ///
-/// ```text
-///     1
-///   ┌───┐
-///   │   │
-///   │   ╲
-///   │    `‾‾──┐
-///   │         ├─ 2      the outer corner is the origin
-///   └─────────┘
-/// ```
+/// The outer corner is the origin; the arms run along x and y.
 ///
 /// # Ports
 /// `1` at the end of the upright lead, facing 90°; `2` at the end of the other, facing 0°; both `width` wide.

@@ -193,14 +193,6 @@ fn rows(quotient: f64, terminals_same_side: bool) -> Result<usize> {
 
 /// Draws a [`snspd`](fn@snspd) with an [`optimal_step`](fn@crate::optimal_step) to a wider wire at both terminals.
 ///
-/// ```text
-///   1 ━━━___
-///           ‾‾───────────╮
-///       ╭────────────────╯
-///       ╰─────────────__
-///                       ‾‾━━━ 2
-/// ```
-///
 /// # Ports
 /// `1` and `2` at the ends of the steps, `connector_width` wide, facing as those of the snspd.
 ///

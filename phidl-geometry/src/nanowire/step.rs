@@ -25,13 +25,7 @@ const ROOT_TOLERANCE: f64 = 1e-15;
 
 /// Draws a change of width whose edge keeps the current from crowding.
 ///
-/// ```text
-///                 __──────┐
-///             ╱‾‾         │
-///      ┌────‾             ├─ 2
-///   1 ─┤                  │
-///      └──────────────────┘     flat below, or symmetric about y = 0
-/// ```
+/// It is flat below, on y = 0, or symmetric about it.
 ///
 /// Two equal widths give a square.
 ///

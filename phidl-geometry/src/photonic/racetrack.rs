@@ -14,12 +14,7 @@ const SMALLEST_STEP: f64 = 1e-6;
 
 /// Draws a quarter of a ring that bends gradually: a superellipse whose tightest part is an arc.
 ///
-/// ```text
-///   ━━━━━──_
-///            ╲         from (R − c, 0) around to the y axis
-///             ┃
-///             ┃
-/// ```
+/// It runs from (R − c, 0) around to the y axis.
 ///
 /// # Ports
 /// None.

@@ -18,13 +18,7 @@ const METERS: f64 = 1e-6;
 
 /// Draws a microstrip that changes its impedance along Hecken's curve, without steps at its ends.
 ///
-/// ```text
-///      ┌──────__
-///      │        ‾‾──────────
-///   1 ─┤                    ├─ 2    from (0, 0) to (length, 0)
-///      │        __──────────
-///      └──────‾‾
-/// ```
+/// It lies along x, from (0, 0) to (`length`, 0), symmetric about the axis.
 ///
 /// Each end is given by its impedance or by its width; where both are, the width counts.
 ///

@@ -17,14 +17,7 @@ use parts::Wire;
 
 /// Draws a meander whose turns stand outside of its rhombic area, so that the rows can be as close as can be.
 ///
-/// ```text
-///            1
-///      ╭──╮  ┃  ╭──╮
-///   ╭──╯ ━━━━┻━━╯  ╰──╮         rows wire_pitch apart,
-///   ╰─╮━━━━━━━━━━━━━╭──╯         longest in the middle
-///      ╰──╯  ┃   ╰──╯
-///            2
-/// ```
+/// The rows are `wire_pitch` apart, each as long as the rhombus leaves, the longest in the middle.
 ///
 /// It is symmetric under half a turn about its center, the origin.
 ///
