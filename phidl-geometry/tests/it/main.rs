@@ -1,6 +1,7 @@
 //! Integration tests of the shape library.
 
 mod arrange;
+mod bounds;
 mod deplof;
 mod docs;
 mod domain;
