@@ -120,13 +120,14 @@ fn unit_sign(unit: &str) -> &str {
 
 /// An expression about as it was written.
 fn source(default: &Expr) -> String {
-    let text = default.to_token_stream().to_string();
+    // Long expressions come in several lines.
+    let text = default.to_token_stream().to_string().split_whitespace().collect::<Vec<_>>().join(" ");
     let mut source = String::new();
     for (i, c) in text.char_indices() {
         let rest = &text[i + c.len_utf8()..];
         let closed = c == ' '
             && (source.ends_with(['(', '[', '.', ':', '!', '-'])
-                || rest.starts_with([')', ']', '(', ',', '.', ':', '!']) && !source.ends_with(','));
+                || rest.starts_with([')', ']', '(', ',', '.', ':', '!', '?']) && !source.ends_with(','));
         if !closed {
             source.push(c);
         }
@@ -163,5 +164,9 @@ mod tests {
         assert_eq!(shown(parse_quote!(-0.5)), "-0.5");
         assert_eq!(shown(parse_quote!(Shape::Round)), "Shape::Round");
         assert_eq!(shown(parse_quote!(Some(Size::new(1.0, (2.0))))), "Some(Size::new(1.0, (2.0)))");
+        assert_eq!(
+            shown(parse_quote!(Params::new(disc(1, 2)?, "not").x(3))),
+            r#"Params::new(disc(1, 2)?, "not").x(3)"#
+        );
     }
 }

@@ -31,7 +31,8 @@ pub(super) fn html(plates: &[Plate]) -> String {
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width\">\n<title>phidl: the gallery</title>\n\
          <style>\n{STYLE}</style>\n</head>\n<body>\n<h1>The gallery</h1>\n\
-         <p>{count} devices, each with its example: drawn, called in Rust, and called by name.</p>\n\
+         <p>{count} devices, each with its example: drawn, called in Rust (after <code>use phidl_geometry::*</code> or \
+         <code>use phidl_route::*</code>), and called by name.</p>\n\
          <nav>\n{links}</nav>\n{sections}</body>\n</html>\n",
         count = plates.len()
     )

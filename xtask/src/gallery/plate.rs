@@ -53,13 +53,33 @@ fn plate(entry: &'static Entry) -> anyhow::Result<Plate> {
     Ok(Plate {
         name: entry.name,
         family: entry.module.split("::").take(2).collect::<Vec<_>>().join("::"),
-        summary: entry.docs.split("\n\n").next().unwrap_or_default().replace('\n', " "),
+        summary: plain(entry.docs.split("\n\n").next().unwrap_or_default()),
         file,
         device,
         figure,
         rust: format!("{}.build()?", entry.example_source),
         json: json(entry, &params),
     })
+}
+
+/// A paragraph of Markdown without its links, code marks and line ends.
+fn plain(markdown: &str) -> String {
+    let mut text = String::new();
+    let mut rest = markdown;
+    while let Some((before, link)) = rest.split_once('[') {
+        text += before;
+        match link.split_once("](") {
+            Some((shown, target)) => {
+                text += shown;
+                rest = target.split_once(')').map_or("", |(_, after)| after);
+            }
+            None => {
+                text.push('[');
+                rest = link;
+            }
+        }
+    }
+    (text + rest).replace('`', "").replace('\n', " ")
 }
 
 fn krate(entry: &Entry) -> &'static str {
@@ -82,5 +102,18 @@ fn devices_in(value: &Value, found: &mut Vec<Device>) {
         Value::List(list) => list.iter().for_each(|inner| devices_in(inner, found)),
         Value::Map(map) => map.values().for_each(|inner| devices_in(inner, found)),
         _ => {}
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn summaries_are_plain_text() {
+        assert_eq!(
+            plain("Runs it; see [`boolean`](fn@super::boolean).\nOr `[a, b]`."),
+            "Runs it; see boolean. Or [a, b]."
+        );
     }
 }
