@@ -87,7 +87,7 @@ pub enum Justify {
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `text` in parameters and DEPLOF's metrics; the letters are our own.
-#[device]
+#[device(picture = "docs/text.svg")]
 pub fn text(
     /// What is written; `\n` starts a new line.
     #[default("abcd")]

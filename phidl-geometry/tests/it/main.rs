@@ -3,6 +3,7 @@
 mod arrange;
 mod bounds;
 mod deplof;
+mod docs;
 mod domain;
 mod extremes;
 mod fill;
