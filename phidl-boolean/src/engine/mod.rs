@@ -35,8 +35,10 @@
 
 mod active;
 mod apart;
+mod bands;
 mod edge;
 mod free;
+mod order;
 mod plain;
 mod plan;
 mod raster;
