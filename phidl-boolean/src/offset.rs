@@ -102,10 +102,11 @@ pub fn offset(shapes: &Contours, distance: f64, options: &Growth, run: &RunOptio
     check(distance, options.join)?;
     run.check()?;
     shapes.check_range()?;
+    // All steps run on the same threads, which are started once.
+    let inner = RunOptions { threads: None, ..*run };
     if options.merge_first {
-        return Region::merged(shapes, run)?.offset(distance, options.join, run);
+        return run.on_threads(|| Region::merged(shapes, &inner)?.offset(distance, options.join, &inner));
     }
-    let inner = RunOptions { threads: None, watch: run.watch, ..*run };
     let alone = |shape: &[GridPoint]| -> Result<Region, BooleanError> {
         let one: Contours = [shape.to_vec()].into_iter().collect();
         Region::merged(&one, &inner)?.offset(distance, options.join, &inner)
@@ -135,8 +136,11 @@ impl Region {
         if self.vanishes(distance) {
             return Ok(Self::new());
         }
-        let moved = run.on_threads(|| Ok(moved_outlines(self.contours(), distance, join)))?;
-        resolve([Operand::Wound(&moved), Operand::Wound(&Contours::new())], POSITIVE, run)
+        let inner = RunOptions { threads: None, ..*run };
+        run.on_threads(|| {
+            let moved = moved_outlines(self.contours(), distance, join);
+            resolve([Operand::Wound(&moved), Operand::Wound(&Contours::new())], POSITIVE, &inner)
+        })
     }
 
     /// True if shrinking eats the whole box of the region.

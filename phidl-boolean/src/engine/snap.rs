@@ -112,7 +112,8 @@ impl Snapper<'_> {
     /// A bend of `edge` at `p` if it passes the square of `p`; `d` is `edge.cross(p)`.
     #[inline]
     fn pass_vertex(&mut self, edge: u32, e: &Edge, p: GridPoint, d: i128) {
-        if in_box(e, p) && passes(e, d) {
+        // Few points are as near as this, so the box is looked at last.
+        if passes(e, d) && in_box(e, p) {
             self.bend(edge, e, p);
         }
     }

@@ -50,7 +50,10 @@ pub(super) fn for_each_face<'a>(
 }
 
 /// All half-edges by their start, and around it counter-clockwise.
-#[expect(clippy::cast_possible_truncation, reason = "a region has fewer than 2^31 edges, and less than two chords each")]
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "a region has fewer than 2^31 edges, and less than two chords each"
+)]
 fn sorted_halves<'a>(outlines: &[&[GridPoint]], chords: impl Iterator<Item = &'a Chord>) -> Vec<Half> {
     let mut halves: Vec<Half> = Vec::new();
     for outline in outlines {
