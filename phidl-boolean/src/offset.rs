@@ -454,6 +454,27 @@ mod tests {
     }
 
     #[test]
+    fn long_outlines_are_moved_in_stretches_as_if_in_one() {
+        let comb: Vec<GridPoint> =
+            (0..3000i64).map(|i| GridPoint::new(10 * i, if i % 4 < 2 { 0 } else { 50 + i % 7 })).collect();
+        for distance in [-4.0, 2.5, 40.0] {
+            let whole = moved_stretch(&comb, 0..comb.len(), distance, Join::default());
+            let outlines: Contours = [comb.clone()].into_iter().collect();
+            let moved = moved_outlines(&outlines, distance, Join::default());
+            assert_eq!(moved.iter().collect::<Vec<_>>(), [whole.as_slice()]);
+        }
+    }
+
+    #[test]
+    fn edges_that_keep_a_part_are_cut_where_they_meet() {
+        // Each step takes more than half of the short edges, but never all of them.
+        let stairs = contours(&[(0, 0), (100, 0), (100, 10), (60, 10), (60, 40), (0, 40)]);
+        let moved = moved_outlines(&stairs, -4.0, Join::default());
+        let cut = contours(&[(4, 4), (96, 4), (96, 6), (56, 6), (56, 36), (4, 36)]);
+        assert_eq!(moved, cut);
+    }
+
+    #[test]
     fn bad_distances_and_joins_are_refused() {
         let refused = |distance, join| {
             let options = Growth { join, ..Growth::default() };

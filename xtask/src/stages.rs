@@ -48,7 +48,7 @@ impl Stages {
 }
 
 /// The most memory that the process has had (bytes), where the system tells.
-pub(crate) fn peak_memory() -> Option<usize> {
+fn peak_memory() -> Option<usize> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
     line.trim().strip_suffix("kB")?.trim().parse::<usize>().ok().map(|kilobytes| kilobytes * 1024)

@@ -134,7 +134,6 @@ struct Placed {
 }
 
 impl Placed {
-    #[expect(clippy::cast_possible_truncation, reason = "the upper half is the number of a band")]
     fn band(&self) -> usize {
         (self.band_and_along >> 32) as usize
     }
@@ -251,5 +250,83 @@ impl Frame {
 
     fn bands_of(&self, entry: Entry) -> std::ops::RangeInclusive<usize> {
         self.band_of(entry.side_low)..=self.band_of(entry.side_high)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+    use std::collections::BTreeMap;
+
+    const COLUMNS: (i64, i64) = (-50, 50);
+
+    /// Short edges, long ones along either axis, and slanted ones, of which all reach into the columns.
+    fn edges(scale: i64) -> impl Strategy<Value = Vec<Edge>> {
+        let edge =
+            (-45..45i64, -400..400i64, 1..40i64, -9..9i64, 0..4usize).prop_map(move |(x, y, long, wide, kind)| {
+                let (dx, dy) = match kind {
+                    0 => (1 + wide.abs(), wide),
+                    1 => (long, 0),
+                    2 => (0, 8 * long),
+                    _ => (long, 8 * wide),
+                };
+                let r = GridPoint::new(x + dx, (y + dy) * scale);
+                Edge { l: GridPoint::new(x, y * scale), r, delta: [1, 0] }
+            });
+        prop::collection::vec(edge, 0..300)
+    }
+
+    fn bottom_and_top(e: &Edge) -> (i64, i64) {
+        (e.l.y.min(e.r.y), e.l.y.max(e.r.y))
+    }
+
+    fn touch(a: &Edge, b: &Edge) -> bool {
+        let ((a_low, a_high), (b_low, b_high)) = (bottom_and_top(a), bottom_and_top(b));
+        let is_inside = a.l.x.max(b.l.x) <= COLUMNS.1;
+        is_inside && a.l.x <= b.r.x && b.l.x <= a.r.x && a_low <= b_high && b_low <= a_high
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(100))]
+
+        #[test]
+        fn edges_whose_boxes_touch_meet_once(edges in prop_oneof![edges(1), edges(1 << 25)]) {
+            let mut met = BTreeMap::new();
+            Bands::new(&edges, COLUMNS).for_each_pair(|a, b| *met.entry((a.min(b), a.max(b))).or_insert(0) += 1);
+            prop_assert!(met.values().all(|&times| times == 1));
+            for (number, a) in (0u32..).zip(&edges) {
+                for (other, b) in (0..number).zip(&edges) {
+                    prop_assert!(!touch(a, b) || met.contains_key(&(other, number)), "{:?} and {:?}", a, b);
+                }
+            }
+        }
+
+        #[test]
+        fn every_point_is_passed_to_the_edges_that_it_may_be_on(edges in edges(1)) {
+            let points: Vec<GridPoint> = edges.iter().flat_map(|e| [e.l, e.l]).collect();
+            let mut passed = BTreeMap::new();
+            Bands::new(&edges, COLUMNS).for_each_point(&points, |edge, p| *passed.entry((edge, p)).or_insert(0) += 1);
+            prop_assert!(passed.values().all(|&times| times == 1));
+            for (number, e) in (0u32..).zip(&edges) {
+                let (low, high) = bottom_and_top(e);
+                let is_on = |p: &&GridPoint| p.x >= e.l.x && p.x <= e.r.x && p.y >= low && p.y <= high;
+                prop_assert!(points.iter().filter(is_on).all(|&p| passed.contains_key(&(number, p))), "{:?}", e);
+            }
+        }
+    }
+
+    #[test]
+    fn a_crowded_place_is_swept_in_its_better_direction() {
+        let lines = |y: i64| {
+            (0..300).map(move |i| Edge { l: GridPoint::new(0, y + i), r: GridPoint::new(40, y + i), delta: [1, 0] })
+        };
+        let far = Edge { l: GridPoint::new(0, 1_000_000), r: GridPoint::new(1, 1_000_000), delta: [1, 0] };
+        let edges: Vec<Edge> = lines(0).chain([far]).collect();
+        let bands = Bands::new(&edges, COLUMNS);
+        assert!(bands.bands.iter().any(|band| !band.is_across));
+        let mut pairs = 0;
+        bands.for_each_pair(|_, _| pairs += 1);
+        assert_eq!(pairs, 0);
     }
 }
