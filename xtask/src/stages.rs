@@ -19,7 +19,9 @@ struct Stage {
 
 impl Stages {
     pub(crate) fn new() -> Self {
-        Self { progress: Progress::new(), done: Vec::new() }
+        // What the process has before any work is no memory of the work.
+        let start = Stage { name: "start", time: Duration::ZERO, memory: peak_memory() };
+        Self { progress: Progress::new(), done: vec![start] }
     }
 
     /// Runs a stage and keeps what it took.
