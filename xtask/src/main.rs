@@ -9,6 +9,7 @@ mod demo;
 mod device;
 mod devices;
 mod flags;
+mod golden;
 mod interop;
 mod layer_file;
 mod mask;
@@ -33,6 +34,7 @@ fn main() -> ExitCode {
         Command::Offset(flags) => offset::run(&flags),
         Command::Compare(flags) => compare::run(&flags),
         Command::Interop(flags) => interop::run(&flags),
+        Command::Golden(flags) => golden::run(&flags),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
