@@ -234,7 +234,9 @@ def compare_by_region(name, params):
 
 
 def described(name, params):
-    if name == "polygon_ports" and "xpts" in params and "ypts" in params:
+    if name == "polygon_ports":
+        # The reference closes its own defaults too, once more with every call.
+        params = {"xpts": [-1, -1, 0, 0], "ypts": [0, 1, 1, 0], **params}
         # The reference closes the lists that it is given, so a case has them closed: it was drawn from open ones.
         x, y = params["xpts"], params["ypts"]
         if x[:1] == x[1:][-1:] and y[:1] == y[1:][-1:]:
