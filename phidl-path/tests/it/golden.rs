@@ -48,12 +48,15 @@ fn check(case: &Case) -> Result<(), String> {
         let refused = drawn.is_err() || poorly_sampled;
         return if refused { Ok(()) } else { Err(format!("drawn, where the reference has {error}")) };
     }
-    if drawn.is_err() && segments.iter().any(is_spiral_without_center) {
+    if segments.iter().any(is_spiral_without_center) {
         must_be_listed("path.spiral", "fewer than 2 points");
         return Ok(());
     }
     let (device, path) = drawn.map_err(|e| e.in_full())?;
-    check_angles(&path, &case.expect)?;
+    // The single point that the reference has instead of a bend turns what follows: a smoothed path ends elsewhere.
+    if !(poorly_sampled && case.rest.contains_key("smooth")) {
+        check_angles(&path, &case.expect)?;
+    }
     if poorly_sampled {
         must_be_listed("path.arc", "fewer than 2 points");
         must_be_listed("path.euler", "fewer than 3 points");
@@ -62,6 +65,12 @@ fn check(case: &Case) -> Result<(), String> {
     if let Some(error) = segments.iter().filter_map(cut_off_error).reduce(f64::max) {
         must_be_listed("path.euler", "more than 180");
         return check_points(path.points(), &case.expect["points"], error);
+    }
+    if bends(case).iter().any(count_hangs_on_the_last_bit)
+        && path.points().len() != points(&case.expect["points"]).len()
+    {
+        must_be_listed("path.smooth", "last bit of an angle");
+        return check_length(&path, &case.expect, 1e-4 * path.length());
     }
     check_path(case, &path)?;
     let Some(device) = device else { return Ok(()) };
@@ -249,8 +258,11 @@ fn is_spiral_without_center(segment: &Json) -> bool {
     let ends = if part < 0.5 { [other, whole] } else { [whole, other.max(whole)] };
     let radius = inner * (1.0 + (b / (a + b * PI / 2.0)).powi(2)).sqrt() / 4.0;
     let center = radius * 2.0 * (inner / (4.0 * radius)).asin();
+    let degrees = 2.0 * (inner / (4.0 * radius)).asin() * (180.0 / PI);
     let whole_spiral: f64 = ends.iter().map(|half_turns| arm(PI * half_turns + PI / 2.0)).sum::<f64>() + 2.0 * center;
-    segment["fn"] == "spiral" && (number_or(&p["num_pts"], 10_000.0) / whole_spiral * center).floor() < 2.0
+    let share = (number_or(&p["num_pts"], 10_000.0) / whole_spiral * center).floor();
+    // The way back from the share to a number of points for the full turn, and to the share again, may lose one.
+    segment["fn"] == "spiral" && share.min((360.0 * share / degrees * degrees / 360.0).floor()) < 2.0
 }
 
 /// How far the end of an Euler bend is off in the reference, at most (µm), if it is.
@@ -282,10 +294,7 @@ fn check_path(case: &Case, path: &Path) -> Result<(), String> {
     if expect.get("points").is_some() {
         check_points(path.points(), &expect["points"], TOLERANCE)?;
     }
-    let length = number(&expect["length"]);
-    if (path.length() - length).abs() > TOLERANCE {
-        return Err(format!("length is {}, not {length}", path.length()));
-    }
+    check_length(path, expect, TOLERANCE)?;
     let (ours, theirs) = (path.bbox().unwrap(), &expect["bbox"]);
     if ours.min.distance(point(&theirs[0])).max(ours.max.distance(point(&theirs[1]))) > TOLERANCE {
         return Err(format!("box is {ours}, not {theirs}"));
@@ -296,6 +305,21 @@ fn check_path(case: &Case, path: &Path) -> Result<(), String> {
         ours = defined_hash(path.points(), number(&expect["start_angle"]), number(&expect["end_angle"]));
     }
     if ours == theirs { Ok(()) } else { Err(format!("hash is {ours}, not {theirs}")) }
+}
+
+fn check_length(path: &Path, expect: &Json, tolerance: f64) -> Result<(), String> {
+    let length = number(&expect["length"]);
+    match (path.length() - length).abs() <= tolerance {
+        true => Ok(()),
+        false => Err(format!("length is {}, not {length}", path.length())),
+    }
+}
+
+/// Whether the number of points of a bend is cut off from what is whole but for noise.
+fn count_hangs_on_the_last_bit(bend: &Json) -> bool {
+    let p = &bend["params"];
+    let count = number_or(&p["num_pts"], 720.0) * number(&p["angle"]) / 360.0;
+    (count - count.round()).abs() < 1e-9
 }
 
 fn has_arctangents(case: &Case) -> bool {

@@ -170,7 +170,8 @@ mod tests {
     use super::*;
 
     fn case(params: &str) -> Case {
-        serde_json::from_str(&format!(r#"{{"id": "x", "device": "nothing", "params": {params}, "expect": {{}}}}"#)).unwrap()
+        serde_json::from_str(&format!(r#"{{"id": "x", "device": "nothing", "params": {params}, "expect": {{}}}}"#))
+            .unwrap()
     }
 
     fn holds(when: &str, params: &str) -> bool {
@@ -183,7 +184,10 @@ mod tests {
         assert!(holds("a.below = 'b'", r#"{"a": 2, "b": 3}"#) && !holds("a.below = 'b'", r#"{"a": 2}"#));
         assert!(holds("a.above = { times = 30, of = 'b' }", r#"{"a": 31, "b": 1}"#));
         assert!(!holds("a.above = { times = 30, of = 'b' }", r#"{"a": 30, "b": 1}"#));
-        assert!(holds("'s.1' = { at_most = 0 }", r#"{"s": [1, 0]}"#) && !holds("'s.0' = { at_most = 0 }", r#"{"s": [1, 0]}"#));
+        assert!(
+            holds("'s.1' = { at_most = 0 }", r#"{"s": [1, 0]}"#)
+                && !holds("'s.0' = { at_most = 0 }", r#"{"s": [1, 0]}"#)
+        );
     }
 
     #[test]
@@ -196,7 +200,9 @@ mod tests {
     #[test]
     fn values_are_equal_as_numbers_and_words_as_words() {
         assert!(holds("a = 10", r#"{"a": 10.0}"#) && holds("a = [1, 2.0]", r#"{"a": [1.0, 2]}"#));
-        assert!(holds("a = { any_of = ['x', 'y'] }", r#"{"a": "y"}"#) && !holds("a = { none_of = ['x'] }", r#"{"a": "x"}"#));
+        assert!(
+            holds("a = { any_of = ['x', 'y'] }", r#"{"a": "y"}"#) && !holds("a = { none_of = ['x'] }", r#"{"a": "x"}"#)
+        );
         assert!(holds("a = { given = true }", r#"{"a": 1}"#) && holds("a = { given = false }", r#"{"a": null}"#));
         assert!(holds("a = { key_none_of = ['N'] }", r#"{"a": {"n": 1}}"#));
     }

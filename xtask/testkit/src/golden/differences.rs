@@ -143,3 +143,21 @@ pub fn differences() -> Vec<Difference> {
     let file: File = toml::from_str(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     file.difference
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_compared_has_what_it_needs() {
+        for difference in differences() {
+            assert_eq!(
+                difference.compare == Instead::Nearby,
+                !difference.nudge.is_empty(),
+                "{:?}",
+                difference.function
+            );
+            assert_eq!(difference.compare == Instead::With, !difference.with.is_empty(), "{:?}", difference.function);
+        }
+    }
+}

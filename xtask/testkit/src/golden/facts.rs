@@ -27,7 +27,9 @@ impl Reference {
     pub(super) fn holds(self, case: &Case) -> bool {
         match self {
             Self::Refuses => case.expect.get("error").is_some(),
-            Self::DrawsNoShape => outlines(&case.expect).iter().any(|outline| encloses_nothing(outline) || crosses_itself(outline)),
+            Self::DrawsNoShape => {
+                outlines(&case.expect).iter().any(|outline| encloses_nothing(outline) || crosses_itself(outline))
+            }
         }
     }
 }
@@ -59,7 +61,9 @@ fn crosses_itself(outline: &[Point]) -> bool {
 pub(super) fn is_out_of_domain(case: &Case) -> bool {
     let Ok(entry) = registry::find(&case.device) else { return false };
     let params = entry.params();
-    params.iter().any(|param| case.params.get(param.name).is_some_and(|value| breaks(value, &param.kind, &param.bounds)))
+    params
+        .iter()
+        .any(|param| case.params.get(param.name).is_some_and(|value| breaks(value, &param.kind, &param.bounds)))
 }
 
 fn breaks(value: &Json, kind: &Kind, bounds: &Bounds) -> bool {
@@ -116,9 +120,7 @@ impl Rule {
                 let places = parameter(case, "x_taper").map(|places| numbers(&places)).unwrap_or_default();
                 places.len() < 2 || places.windows(2).any(|pair| pair[1] <= pair[0])
             }
-            Self::LayerLeftOut => {
-                case.params.iter().any(|(name, value)| name.ends_with("layer") && value.is_null())
-            }
+            Self::LayerLeftOut => case.params.iter().any(|(name, value)| name.ends_with("layer") && value.is_null()),
             Self::CharacterWithoutGlyph => {
                 let text = parameter(case, "text").and_then(|text| text.as_str().map(str::to_owned));
                 text.is_some_and(|text| text.chars().any(|c| !matches!(c, ' '..='~' | 'µ' | '\n')))

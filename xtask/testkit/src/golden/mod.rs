@@ -8,6 +8,8 @@ mod compare;
 mod condition;
 mod differences;
 mod facts;
+#[cfg(test)]
+mod page;
 mod region;
 
 pub use cases::{Case, Kind, load};
