@@ -234,6 +234,13 @@ mod tests {
     }
 
     #[test]
+    fn ports_do_not_need_a_layer() {
+        let [with, without] =
+            [Layers::from(1), Layers::NONE].map(|l| OptimalStepParams::default().layer(l).build().unwrap());
+        assert!(with.ports().eq(without.ports()));
+    }
+
+    #[test]
     fn widths_far_apart_are_joined_in_full_length() {
         let params = OptimalStepParams::default().start_width(1).end_width(1000).anticrowding_factor(1);
         let d = params.build().unwrap();

@@ -142,7 +142,7 @@ fn turn_is_longer_than_length(case: &Case, number: impl Fn(&str) -> f64) -> bool
             ((number("wire_pitch") + number("wire_width")) / 2.0, width / 2.0)
         }
     };
-    let sizes = outlines(&case.expect).into_iter().filter_map(|outline| Rect::around(outline));
+    let sizes = outlines(&case.expect).into_iter().filter_map(Rect::around);
     sizes.into_iter().any(|r| (r.size().height - height).abs() < 1e-4 * height && r.size().width > length + 1e-6)
 }
 
