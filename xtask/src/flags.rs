@@ -34,6 +34,8 @@ pub(crate) enum Command {
     Compare(CompareFlags),
     /// Opens the masks in KLayout, gdstk and gdspy, and checks booleans and offsets of random shapes against KLayout.
     Interop(InteropFlags),
+    /// Has PHIDL draw further reference results with random parameters, for the tests to run on.
+    Golden(GoldenFlags),
 }
 
 /// Flags of `mask`.
@@ -51,6 +53,9 @@ pub(crate) struct MaskFlags {
 pub(crate) struct DevicesFlags {
     /// Only devices whose name contains this.
     pub(crate) filter: Option<String>,
+    /// As JSON, for other programs.
+    #[arg(long)]
+    pub(crate) json: bool,
 }
 
 /// Flags of `device`.
@@ -190,4 +195,24 @@ pub(crate) struct InteropFlags {
     /// The folder for scenes and the virtual environment.
     #[arg(long, value_name = "DIR", default_value = "target/compare")]
     pub(crate) out: PathBuf,
+}
+
+/// Flags of `golden`.
+#[derive(Debug, Args)]
+pub(crate) struct GoldenFlags {
+    /// What the random parameters are drawn from; the same seed gives the same cases.
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub(crate) seed: u64,
+    /// Cases of each shape; some more of paths, routes and placement.
+    #[arg(long, value_name = "N", default_value_t = 12)]
+    pub(crate) count: usize,
+    /// Draws the cases of this folder once more instead.
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["seed", "count"])]
+    pub(crate) redraw: Option<PathBuf>,
+    /// The folder that gets the results; run the tests with PHIDL_GOLDEN set to it.
+    #[arg(long, value_name = "DIR", default_value = "target/golden")]
+    pub(crate) out: PathBuf,
+    /// The folder for the virtual environments.
+    #[arg(long, value_name = "DIR", default_value = "target/compare")]
+    pub(crate) peers: PathBuf,
 }

@@ -10,6 +10,7 @@ mod device;
 mod devices;
 mod flags;
 mod gallery;
+mod golden;
 mod interop;
 mod layer_file;
 mod mask;
@@ -35,6 +36,7 @@ fn main() -> ExitCode {
         Command::Offset(flags) => offset::run(&flags),
         Command::Compare(flags) => compare::run(&flags),
         Command::Interop(flags) => interop::run(&flags),
+        Command::Golden(flags) => golden::run(&flags),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -14,22 +14,27 @@ pub(crate) struct Python {
 }
 
 impl Python {
+    /// The environment of the peers in a folder, as by [`Python::with`].
+    pub(crate) fn with_peers(folder: &Path) -> anyhow::Result<Option<Self>> {
+        Self::with(folder, &PEERS)
+    }
+
     /// The environment in a folder; made and filled if it is not there. `None` if there is no Python, or no way to the
     /// packages: then there is nothing to compare with, and a line says so.
-    pub(crate) fn with_peers(folder: &Path) -> anyhow::Result<Option<Self>> {
+    pub(crate) fn with(folder: &Path, packages: &[&str]) -> anyhow::Result<Option<Self>> {
         let program = folder.join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" });
         let mark = folder.join("installed");
-        let wanted = PEERS.join("\n");
+        let wanted = packages.join("\n");
         if std::fs::read_to_string(&mark).is_ok_and(|installed| installed == wanted) {
             return Ok(Some(Self { program }));
         }
-        println!("installing {} into {}", PEERS.join(", "), folder.display());
+        println!("installing {} into {}", packages.join(", "), folder.display());
         let made = Command::new("python3").args(["-m", "venv"]).arg(folder).status();
         if !made.is_ok_and(|status| status.success()) {
             println!("skipped: there is no python3 that can make a virtual environment");
             return Ok(None);
         }
-        let filled = Command::new(&program).args(["-m", "pip", "install", "--quiet"]).args(PEERS).status();
+        let filled = Command::new(&program).args(["-m", "pip", "install", "--quiet"]).args(packages).status();
         if !filled.is_ok_and(|status| status.success()) {
             println!("skipped: the packages cannot be installed");
             return Ok(None);
