@@ -34,6 +34,7 @@ mod engine;
 mod error;
 mod fracture;
 pub mod grid;
+mod jobs;
 mod offset;
 mod op;
 mod options;

@@ -18,6 +18,7 @@ use crate::{
     contours::Contours,
     engine::{Operand, Rule, resolve},
     error::BooleanError,
+    jobs::per_job,
     op::{Fill, Operation},
     options::RunOptions,
     point::{GridPoint, MAX_COORDINATE},
@@ -214,6 +215,7 @@ fn moved_outlines(outlines: &Contours, distance: f64, join: Join) -> Contours {
     let stretches: Vec<(&[GridPoint], Range<usize>)> = outlines.iter().flat_map(stretches).collect();
     let moved: Vec<Vec<GridPoint>> = stretches
         .par_iter()
+        .with_min_len(per_job(stretches.len(), outlines.point_count()))
         .map(|(outline, corners)| moved_stretch(outline, corners.clone(), distance, join))
         .collect();
     let mut all = Contours::with_capacity(outlines.len(), moved.iter().map(Vec::len).sum());

@@ -11,15 +11,20 @@ use super::{
     edge::{Edge, Scene},
     sweep,
 };
-use crate::op::{Fill, Operation};
+use crate::{
+    jobs::per_job,
+    op::{Fill, Operation},
+};
 
 /// The boundary pieces of each contour, wound once around what the contour covers.
 pub(super) fn fill_apart(mut pieces: Vec<(u32, Edge)>, scene: &Scene) -> Vec<Edge> {
     pieces.sort_by_key(|&(contour, _)| contour);
     let contours: Vec<&[(u32, Edge)]> = pieces.chunk_by(|a, b| a.0 == b.0).collect();
     let rule = Rule { operation: Operation::Or, fill: Fill::NonZero };
+    let per_job = per_job(contours.len(), pieces.len());
     let filled: Vec<Vec<Edge>> = contours
         .into_par_iter()
+        .with_min_len(per_job)
         .map(|own| {
             let operand = scene.operand_of(own[0].0);
             let pieces: Vec<Edge> = own.iter().map(|&(_, piece)| piece).collect();

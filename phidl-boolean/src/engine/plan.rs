@@ -6,7 +6,7 @@
 use rayon::prelude::*;
 
 use super::edge::Edge;
-use crate::options::Division;
+use crate::{jobs::per_job, options::Division};
 
 /// Samples of x per strip from which the borders are chosen.
 const SAMPLES_PER_STRIP: usize = 32;
@@ -35,8 +35,11 @@ impl StripPlan {
         let mut strips = division.strips(edges.len());
         loop {
             let firsts = borders(edges, strips);
-            let ranges: Vec<(u32, u32)> = edges.par_iter().map(|edge| strip_range(&firsts, edge)).collect();
-            let sightings: usize = ranges.par_iter().map(|&(first, last)| (last - first) as usize + 1).sum();
+            let per_job = per_job(edges.len(), edges.len());
+            let each = edges.par_iter().with_min_len(per_job);
+            let ranges: Vec<(u32, u32)> = each.map(|edge| strip_range(&firsts, edge)).collect();
+            let seen = ranges.par_iter().with_min_len(per_job).map(|&(first, last)| (last - first) as usize + 1);
+            let sightings: usize = seen.sum();
             if firsts.is_empty() || sightings <= most_sightings(edges.len(), strips) {
                 return Self::with_ranges(firsts, &ranges, sightings);
             }

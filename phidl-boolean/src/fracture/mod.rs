@@ -20,6 +20,7 @@ use rayon::prelude::*;
 use crate::{
     contours::Contours,
     error::BooleanError,
+    jobs::per_job,
     point::GridPoint,
     region::{Polygon, Region},
 };
@@ -64,7 +65,8 @@ impl Region {
 
     fn cut_to(&self, max_points: usize) -> Contours {
         let polygons: Vec<Polygon> = self.polygons().collect();
-        let cut: Vec<Contours> = polygons.par_iter().map(|polygon| cut_polygon(*polygon, max_points)).collect();
+        let each = polygons.par_iter().with_min_len(per_job(polygons.len(), self.contours().point_count()));
+        let cut: Vec<Contours> = each.map(|polygon| cut_polygon(*polygon, max_points)).collect();
         let mut all = Contours::with_capacity(cut.len(), self.contours().point_count());
         cut.iter().for_each(|contours| all.append(contours));
         all

@@ -1,0 +1,23 @@
+//! How much work another thread is worth.
+
+/// Points whose work makes up for waking a thread, which takes some microseconds.
+const WORTH: usize = 2048;
+
+/// How many items of a list make a job that is worth handing to another thread, if all of them hold so many points.
+///
+/// Most booleans of a layout are tiny; without it they wait for threads longer than they work.
+pub(crate) fn per_job(items: usize, points: usize) -> usize {
+    (items.saturating_mul(WORTH) / points.max(1)).max(1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn large_items_are_jobs_of_their_own_and_small_ones_share_one() {
+        assert_eq!(per_job(2, 1_000_000), 1);
+        assert_eq!(per_job(1000, 4000), 512);
+        assert!(per_job(2, 150) > 2 && per_job(0, 0) == 1);
+    }
+}
