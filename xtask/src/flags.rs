@@ -30,6 +30,8 @@ pub(crate) enum Command {
     Boolean(BooleanFlags),
     /// Grows or shrinks a layer of a GDSII file.
     Offset(OffsetFlags),
+    /// Times shapes, paths, routes, cells and files beside PHIDL and gdstk.
+    Bench(BenchFlags),
     /// Times booleans and offsets beside KLayout, gdstk and PHIDL on the same files.
     Compare(CompareFlags),
     /// Opens the masks in KLayout, gdstk and gdspy, and checks booleans and offsets of random shapes against KLayout.
@@ -165,6 +167,36 @@ pub(crate) enum JoinFlag {
     Miter,
     Bevel,
     Round,
+}
+
+/// Flags of `bench`.
+#[derive(Debug, Args)]
+pub(crate) struct BenchFlags {
+    /// Which sections; without a name, all of them.
+    #[arg(value_enum)]
+    pub(crate) sections: Vec<BenchSection>,
+    /// Only shapes whose name contains this.
+    #[arg(long, value_name = "TEXT")]
+    pub(crate) filter: Option<String>,
+    /// The folder for files and the virtual environment.
+    #[arg(long, value_name = "DIR", default_value = "target/compare")]
+    pub(crate) out: PathBuf,
+}
+
+/// What is timed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum BenchSection {
+    Shapes,
+    Text,
+    Paths,
+    Routes,
+    Cells,
+    Files,
+}
+
+impl BenchSection {
+    /// All of them, in the order of the report.
+    pub(crate) const ALL: [Self; 6] = [Self::Shapes, Self::Text, Self::Paths, Self::Routes, Self::Cells, Self::Files];
 }
 
 /// Flags of `compare`.

@@ -6,7 +6,18 @@ use std::process::Command;
 use anyhow::{Context, ensure};
 
 /// The tools, in the releases that figures and agreement are stated for.
-const PEERS: [&str; 4] = ["klayout==0.30.12", "gdstk==1.0.2", "gdspy==1.6.13", "phidl==1.7.2"];
+///
+/// PHIDL needs the last four for some of its shapes, and does not ask for them.
+const PEERS: [&str; 8] = [
+    "klayout==0.30.12",
+    "gdstk==1.0.2",
+    "gdspy==1.6.13",
+    "phidl==1.7.2",
+    "scipy==1.17.1",
+    "rectpack==0.2.2",
+    "freetype-py==2.5.1",
+    "scikit-image==0.26.0",
+];
 
 /// A Python that has the tools.
 pub(crate) struct Python {
