@@ -8,6 +8,7 @@
 //! | port a script that used KLayout's engine | [`kl_boolean`], [`kl_offset`], [`kl_outline`], [`kl_invert`] |
 //! | say what the operands are | anything that is [`Shapes`]: devices, references, polygons, outlines, lists |
 //! | choose the grid, threads, watch and stop | [`Options`], [`RunOptions`], [`Watch`] |
+//! | keep cells that are placed often | [`hierarchy`]: the same functions, with references in the result |
 //! | work on with a result | [`Region`]: `&a \| &b`, `&a & &b`, `&a - &b`, `&a ^ &b`, area, box, point tests, [`Region::to_device`] |
 //! | stay on the integer grid | [`grid`] |
 //!
@@ -42,8 +43,8 @@ mod progress;
 mod region;
 
 pub use device::{
-    Border, IntoOperation, KlOptions, OpenPorts, Options, Shapes, boolean, invert, kl_boolean, kl_invert, kl_offset,
-    kl_outline, merged_area, merged_areas, offset, outline, union, union_by_layer, xor_diff,
+    Border, IntoOperation, KlOptions, OpenPorts, Options, Shapes, boolean, hierarchy, invert, kl_boolean, kl_invert,
+    kl_offset, kl_outline, merged_area, merged_areas, offset, outline, union, union_by_layer, xor_diff,
 };
 pub use error::BooleanError;
 pub use offset::{Growth, Join};
