@@ -83,7 +83,7 @@ pub(crate) struct BooleanFlags {
     /// What to do: or, and, not (A-B), B-A, xor.
     #[arg(long, value_name = "OPERATION", allow_hyphen_values = true)]
     pub(crate) op: String,
-    /// Where the result is written.
+    /// Where the result is written: a file of its own, with one cell.
     #[arg(long, value_name = "FILE:LAYER/DATATYPE")]
     pub(crate) out: LayerFile,
     /// The cell of the second file; without it, that of --cell.
@@ -102,17 +102,17 @@ pub(crate) struct OffsetFlags {
     /// How far (µm); negative shrinks.
     #[arg(long, value_name = "UM", allow_hyphen_values = true)]
     pub(crate) distance: f64,
-    /// Where the result is written.
+    /// Where the result is written: a file of its own, with one cell.
     #[arg(long, value_name = "FILE:LAYER/DATATYPE")]
     pub(crate) out: LayerFile,
     /// What is put at corners.
     #[arg(long, value_enum, default_value = "miter")]
     pub(crate) join: JoinFlag,
     /// How far a miter may reach, in distances.
-    #[arg(long, value_name = "N", default_value_t = 2.0)]
+    #[arg(long, value_name = "N", default_value_t = 2.0, allow_negative_numbers = true)]
     pub(crate) miter_limit: f64,
     /// Points of a full turn of round joins.
-    #[arg(long, value_name = "N", default_value_t = 64.0)]
+    #[arg(long, value_name = "N", default_value_t = 64.0, allow_negative_numbers = true)]
     pub(crate) points_per_turn: f64,
     #[command(flatten)]
     pub(crate) run: RunFlags,
@@ -131,7 +131,7 @@ pub(crate) struct RunFlags {
     #[arg(long, value_name = "N")]
     pub(crate) divisions: Option<usize>,
     /// The grid step of the work and of the result (µm).
-    #[arg(long, value_name = "UM", default_value_t = 1e-4)]
+    #[arg(long, value_name = "UM", default_value_t = 1e-4, allow_negative_numbers = true)]
     pub(crate) precision: f64,
 }
 

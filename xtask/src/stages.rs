@@ -2,7 +2,12 @@
 
 use std::time::{Duration, Instant};
 
+use phidl_boolean::Watch;
+
 use crate::progress::Progress;
+
+/// Below this, the memory of a command is mostly the program itself.
+const FEW_VERTICES: usize = 100_000;
 
 /// The stages of a command.
 pub(crate) struct Stages {
@@ -13,6 +18,12 @@ pub(crate) struct Stages {
 impl Stages {
     pub(crate) fn new() -> Self {
         Self { progress: Progress::new(), done: Vec::new() }
+    }
+
+    /// A watch that shows how far a stage has come.
+    pub(crate) fn watch(&self) -> Watch {
+        let part = self.progress.part();
+        Watch::with_report(move |progress| part(progress.done, progress.total))
     }
 
     /// Runs a stage and keeps its time.
@@ -32,15 +43,17 @@ impl Stages {
         for (name, time) in done.into_iter().chain([("total", total)]) {
             println!("{name:<10} {:>9.3} s", time.as_secs_f64());
         }
-        match peak_memory() {
-            Some(bytes) => println!(
-                "memory     {:>9.1} MB at its peak, {} bytes per vertex read",
-                bytes as f64 / 1e6,
-                bytes / vertices.max(1)
-            ),
-            None => println!("memory       unknown on this system"),
-        }
+        println!(
+            "memory     {}",
+            peak_memory().map_or("  unknown on this system".to_owned(), |peak| told(peak, vertices))
+        );
     }
+}
+
+/// A peak of memory in words; small work says nothing about the memory per vertex.
+fn told(bytes: usize, vertices: usize) -> String {
+    let peak = format!("{:>9.1} MB at its peak", bytes as f64 / 1e6);
+    if vertices < FEW_VERTICES { peak } else { format!("{peak}, {} bytes per vertex read", bytes / vertices) }
 }
 
 /// The most memory that the process has had (bytes), where the system tells.
