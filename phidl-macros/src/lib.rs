@@ -67,6 +67,7 @@ use proc_macro::TokenStream;
 /// | `name = "L"` | another name in the registry |
 /// | `no_cache` | the body runs at every call |
 /// | `example = TextParams::new("A")` | what galleries and tests draw; it may use `?`. Needed where there is no default |
+/// | `picture = "docs/pad.svg"` | a drawing, shown under the first paragraph of the documentation: the path of an SVG file from the folder of the crate. No blank line may be in it, since that ends HTML in Markdown |
 ///
 /// # Attributes of a parameter
 /// | attribute | meaning |

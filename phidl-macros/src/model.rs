@@ -28,6 +28,8 @@ pub(crate) struct Options {
     pub(crate) no_cache: bool,
     /// The parameters with which galleries and tests draw it.
     pub(crate) example: Option<Expr>,
+    /// The file of its drawing, from the folder of the crate.
+    pub(crate) picture: Option<LitStr>,
 }
 
 /// The attributes of the function, by where they go.

@@ -1,5 +1,9 @@
 //! Paths, cross-sections and extrusion.
 //!
+//! <div>
+#![doc = include_str!("../docs/pieces.svg")]
+//! </div>
+//!
 //! | word | is |
 //! |---|---|
 //! | [`Path`] | a centerline: points with a direction at each end |

@@ -69,7 +69,7 @@ const HALVINGS: u32 = 12;
 ///
 /// # Source
 /// Own design, compatible with PHIDL 1.5's `route_basic`.
-#[device(example = RouteBasicParams::new(((0, 0), 1, 0), ((40, 10), 2, 180)))]
+#[device(picture = "docs/route_basic.svg", example = RouteBasicParams::new(((0, 0), 1, 0), ((40, 10), 2, 180)))]
 pub fn route_basic(
     /// Where it starts.
     port1: Port,

@@ -1,5 +1,9 @@
 //! Routes between ports.
 //!
+//! <div>
+#![doc = include_str!("../docs/routes.svg")]
+//! </div>
+//!
 //! | route | is |
 //! |---|---|
 //! | [`route_quad`](fn@route_quad) | the quadrilateral between two ports |

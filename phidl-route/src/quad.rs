@@ -34,7 +34,7 @@ use crate::request::{Request, left_of};
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `route_quad`.
-#[device(example = RouteQuadParams::new(((0, 0), 2, 0), ((10, 5), 4, 180)))]
+#[device(picture = "docs/route_quad.svg", example = RouteQuadParams::new(((0, 0), 2, 0), ((10, 5), 4, 180)))]
 pub fn route_quad(
     /// Where it starts.
     port1: Port,

@@ -63,7 +63,7 @@ const BISECTIONS: usize = 60;
 ///
 /// # Source
 /// Own design.
-#[device(example = RouteSerpentineParams::new(((0, 0), 2, 0), ((300, 80), 2, 180), 1000))]
+#[device(picture = "docs/route_serpentine.svg", example = RouteSerpentineParams::new(((0, 0), 2, 0), ((300, 80), 2, 180), 1000))]
 pub fn route_serpentine(
     /// Where it starts; its width is that of the route.
     port1: Port,
@@ -118,7 +118,7 @@ pub fn route_serpentine(
 ///
 /// # Source
 /// Own design.
-#[device]
+#[device(picture = "docs/delay_line.svg")]
 pub fn delay_line(
     /// Length of the centerline.
     #[default(1000.0)]

@@ -45,7 +45,7 @@ use crate::{PathType, RouteWidth};
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `route_sharp`.
-#[device(example = RouteSharpParams::new(((0, 0), 2, 0), ((30, -20), 4, 270)))]
+#[device(picture = "docs/route_sharp.svg", example = RouteSharpParams::new(((0, 0), 2, 0), ((30, -20), 4, 270)))]
 pub fn route_sharp(
     /// Where it starts.
     port1: Port,

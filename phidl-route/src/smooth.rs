@@ -46,7 +46,7 @@ use crate::{PathType, RouteWidth, SmoothOptions};
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `route_smooth`.
-#[device(example = RouteSmoothParams::new(((40, 0), 5, 180), ((0, -40), 5, 270)))]
+#[device(picture = "docs/route_smooth.svg", example = RouteSmoothParams::new(((40, 0), 5, 180), ((0, -40), 5, 270)))]
 pub fn route_smooth(
     /// Where it starts.
     port1: Port,

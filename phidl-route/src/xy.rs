@@ -58,7 +58,7 @@ pub fn path_xy(port1: impl Into<Point>, port2: impl Into<Point>, directions: &st
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `route_xy`.
-#[device(example = RouteXyParams::new(((0, 0), 2, 0), ((30, 20), 4, 270)))]
+#[device(picture = "docs/route_xy.svg", example = RouteXyParams::new(((0, 0), 2, 0), ((30, 20), 4, 270)))]
 pub fn route_xy(
     /// Where it starts.
     port1: Port,

@@ -14,6 +14,7 @@ use serde::Deserialize;
 use serde_json::{Value as Json, json as object};
 
 use crate::flags::DeviceFlags;
+use crate::gallery::figure_options;
 use crate::progress::Progress;
 
 /// One entry of a batch.
@@ -31,19 +32,22 @@ struct Entry {
 /// Draws what the flags name.
 pub(crate) fn run(flags: &DeviceFlags) -> anyhow::Result<()> {
     match (&flags.name, &flags.out, &flags.batch, &flags.out_dir) {
-        (Some(name), Some(out), ..) => one(name, &flags.params, out),
+        (Some(name), Some(out), ..) => one(name, flags, out),
         (_, _, Some(batch), Some(out_dir)) => many(batch, out_dir),
         _ => bail!("give NAME with --out, or --batch with --out-dir"),
     }
 }
 
-fn one(name: &str, params: &str, out: &Path) -> anyhow::Result<()> {
-    let params = serde_json::from_str(params).context("--params")?;
+fn one(name: &str, flags: &DeviceFlags, out: &Path) -> anyhow::Result<()> {
+    let params = serde_json::from_str(&flags.params).context("--params")?;
     let progress = Progress::new();
     progress.step(format!("drawing {name}"));
     let device = draw(name, &params)?;
     progress.step(format!("writing {}", out.display()));
-    write(&device, out)?;
+    match flags.figure {
+        true => write_figure(&device, out)?,
+        false => write(&device, out)?,
+    }
     drop(progress);
     println!("{device}\n{}", out.display());
     Ok(())
@@ -62,6 +66,14 @@ fn write(device: &Device, out: &Path) -> anyhow::Result<()> {
         _ => bail!("{}: the file must end in .gds, .svg or .json", out.display()),
     };
     written.map_err(|error| anyhow::anyhow!(error.in_full()))
+}
+
+/// Draws a device as the figures of the documentation are drawn.
+fn write_figure(device: &Device, out: &Path) -> anyhow::Result<()> {
+    ensure!(out.extension().is_some_and(|ending| ending == "svg"), "{}: a figure is a .svg file", out.display());
+    let figure = svg::figure(device, &figure_options(device)?);
+    let written = figure.and_then(|figure| atomic::write(out, figure.as_bytes()));
+    written.map(drop).map_err(|error| anyhow::anyhow!(error.in_full()))
 }
 
 /// Draws every entry; what a generator refuses, its file says. Only entries without a file to write to are an error,

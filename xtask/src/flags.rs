@@ -24,6 +24,8 @@ pub(crate) enum Command {
     Devices(DevicesFlags),
     /// Draws one device, or with --batch many.
     Device(DeviceFlags),
+    /// Draws the example of every device: one figure each, a sheet with all of them, a page with the calls.
+    Gallery(GalleryFlags),
     /// Combines two layers of GDSII files.
     Boolean(BooleanFlags),
     /// Grows or shrinks a layer of a GDSII file.
@@ -63,12 +65,29 @@ pub(crate) struct DeviceFlags {
     /// The file to write; its ending says what: .gds, .svg or .json.
     #[arg(long, value_name = "FILE", required_unless_present = "batch", conflicts_with = "batch")]
     pub(crate) out: Option<PathBuf>,
+    /// A .svg file is a small figure with ports and a scale, as documentation has them.
+    #[arg(long, conflicts_with = "batch")]
+    pub(crate) figure: bool,
     /// A JSON list of {"id", "device", "params"}, each drawn to ID.json.
     #[arg(long, value_name = "FILE", requires = "out_dir", conflicts_with = "name")]
     pub(crate) batch: Option<PathBuf>,
     /// The folder for the results of --batch.
     #[arg(long, value_name = "DIR", requires = "batch")]
     pub(crate) out_dir: Option<PathBuf>,
+}
+
+/// Flags of `gallery`.
+#[derive(Debug, Args)]
+pub(crate) struct GalleryFlags {
+    /// The folder that is written to.
+    #[arg(long, value_name = "DIR", default_value = "target/gallery")]
+    pub(crate) out: PathBuf,
+    /// Write nothing, and fail if a figure of the documentation is not what is drawn now.
+    #[arg(long)]
+    pub(crate) check: bool,
+    /// Write the figures of the documentation, too.
+    #[arg(long, conflicts_with = "check")]
+    pub(crate) bless: bool,
 }
 
 /// Flags of `boolean`.

@@ -9,6 +9,7 @@ mod demo;
 mod device;
 mod devices;
 mod flags;
+mod gallery;
 mod interop;
 mod layer_file;
 mod mask;
@@ -29,6 +30,7 @@ fn main() -> ExitCode {
         Command::Mask(flags) => mask::run(&flags),
         Command::Devices(flags) => devices::run(&flags),
         Command::Device(flags) => device::run(&flags),
+        Command::Gallery(flags) => gallery::run(&flags),
         Command::Boolean(flags) => boolean::run(&flags),
         Command::Offset(flags) => offset::run(&flags),
         Command::Compare(flags) => compare::run(&flags),

@@ -15,8 +15,13 @@ pub struct Entry {
     pub module: &'static str,
     /// Version of the crate it stands in.
     pub version: &'static str,
-    /// Its documentation, in Markdown.
+    /// Its documentation, in Markdown, without its drawing.
     pub docs: &'static str,
+    /// The file of its drawing, from the folder of its crate.
+    pub picture: Option<&'static str>,
+    /// The parameters of its [`example`](Entry::example) as the source has them, `RingParams::default()`; empty if there
+    /// is none.
+    pub example_source: &'static str,
     rows: &'static [Row],
     defaults: fn() -> Vec<Option<Value>>,
     example: fn() -> Result<Record>,
@@ -74,12 +79,26 @@ impl Entry {
             module,
             version,
             docs: docs.trim_ascii(),
+            picture: None,
+            example_source: "",
             rows,
             defaults: G::defaults,
             example: || Ok(G::example()?.record()),
             record: |from| Ok(G::read(from)?.record()),
             build: |from| G::read(from)?.build(),
         }
+    }
+
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn pictured(self, file: &'static str) -> Self {
+        Self { picture: Some(file), ..self }
+    }
+
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn called(self, example: &'static str) -> Self {
+        Self { example_source: example, ..self }
     }
 
     /// The parameters, in the generator's order.

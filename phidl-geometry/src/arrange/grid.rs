@@ -8,7 +8,7 @@ use phidl_macros::device;
 use super::lattice::{Follow, Lattice};
 use super::{DeviceList, EdgeX, EdgeY};
 use crate::arguments::PerAxis;
-use crate::basic::rectangle;
+use crate::basic::{circle, cross, rectangle};
 
 /// How many columns and rows a grid has: columns first. −1 is as many as are needed.
 ///
@@ -91,7 +91,7 @@ impl Param for GridShape {
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `grid`, except that free places take no part (see [`arrange`](super)).
-#[device(example = GridParams::new([rectangle((1, 1), 0)?, rectangle((3, 3), 0)?, rectangle((2, 2), 0)?]).shape((2, -1)))]
+#[device(picture = "docs/grid.svg", example = GridParams::new([rectangle((9, 4), 0)?, circle(4, 2.5, 1)?, cross(9, 2, 2)?, circle(2, 2.5, 3)?]).shape((2, 2)))]
 pub fn grid(
     /// The cells: a list, or rows with the top one first.
     device_list: DeviceList,

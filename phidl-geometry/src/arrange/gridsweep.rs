@@ -11,6 +11,7 @@ use super::grid::{GridParams, GridShape};
 use super::sweep::Combination;
 use super::{DeviceList, EdgeX, EdgeY, Sweep};
 use crate::arguments::PerAxis;
+use crate::basic::CircleParams;
 
 /// Draws a generator for every combination of two sets of parameters, in rows and columns.
 ///
@@ -54,8 +55,8 @@ use crate::arguments::PerAxis;
 /// # Source
 /// Own design, compatible with PHIDL's `gridsweep`. The labels differ: they stand in the grid, so that a cell that is
 /// drawn twice has two, show overridden values as they are drawn, and are left out where they would be empty.
-#[device(example = GridsweepParams::new(crate::basic::CircleParams::default())
-    .param_x([("radius", [10, 20, 30])]).param_y([("layer", [1, 2])]))]
+#[device(picture = "docs/gridsweep.svg", example = GridsweepParams::new(CircleParams::default())
+    .param_x([("radius", [10, 20, 30])]).param_y([("layer", [1, 2])]).spacing((60, 20)))]
 pub fn gridsweep(
     /// The generator, with the parameters that are not swept.
     function: Recipe,

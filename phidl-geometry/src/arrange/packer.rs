@@ -101,7 +101,7 @@ impl Param for MaxSize {
 /// # Source
 /// The maximal-rectangles method after J. Jylänki, "A thousand ways to pack the bin" (2010); compatible with PHIDL's
 /// `packer`, at its density or above. Without its `verbose`: nothing here prints.
-#[device(example = PackerParams::new((1..=8).map(|n| rectangle((n, 9 - n), 0)).collect::<Result<Vec<_>>>()?))]
+#[device(picture = "docs/packer.svg", example = PackerParams::new([rectangle((1, 8), 1)?, rectangle((2, 7), 2)?, rectangle((3, 6), 3)?, rectangle((4, 5), 4)?, rectangle((5, 4), 5)?, rectangle((6, 3), 6)?, rectangle((7, 2), 7)?, rectangle((8, 1), 8)?]).spacing(1))]
 pub fn packer(
     /// The cells.
     #[param(name = "D_list")]

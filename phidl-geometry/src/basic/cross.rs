@@ -7,14 +7,6 @@ use super::rectangle;
 
 /// Draws a cross of two equal bars around the origin: a mark to align to.
 ///
-/// ```text
-///      ┌─┐
-///   ┌──┘ └──┐
-///   └──┐ ┌──┘ width
-///      └─┘
-///    length
-/// ```
-///
 /// The bars are two references to one [`rectangle`](fn@rectangle) and overlap in the middle.
 ///
 /// # Ports
@@ -31,7 +23,7 @@ use super::rectangle;
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `cross`.
-#[device]
+#[device(picture = "docs/cross.svg")]
 pub fn cross(
     /// Length of both bars.
     #[default(10.0)]

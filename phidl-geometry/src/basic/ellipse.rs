@@ -12,6 +12,9 @@ use phidl_macros::device;
 /// # Ports
 /// None.
 ///
+/// # Errors
+/// More than 16,777,215 points.
+///
 /// # Numerics
 /// `n = ⌈360 / angle_resolution⌉` chords, or the fewest that stay within `tolerance` where that is given; the first
 /// point, on the x axis, is repeated at the end. At the default of 2.5° a chord leaves the circle by 2.4e-4 of the
@@ -30,7 +33,7 @@ use phidl_macros::device;
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `circle`.
-#[device]
+#[device(picture = "docs/circle.svg")]
 pub fn circle(
     /// Radius; a negative one starts on the left.
     #[default(10.0)]
@@ -60,6 +63,9 @@ pub fn circle(
 /// # Ports
 /// None.
 ///
+/// # Errors
+/// More than 16,777,215 points.
+///
 /// # Numerics
 /// `⌈360 / angle_resolution⌉` chords at equal steps of the **polar angle** φ, not of the parameter of the ellipse:
 /// `r(φ) = a b / √((b cos φ)² + (a sin φ)²)`. The first point, on the x axis, is repeated at the end.
@@ -75,7 +81,7 @@ pub fn circle(
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `ellipse`.
-#[device]
+#[device(picture = "docs/ellipse.svg")]
 pub fn ellipse(
     /// Half axes along x and y.
     #[default((10, 5))]

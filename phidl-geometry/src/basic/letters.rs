@@ -36,7 +36,7 @@ use phidl_macros::device;
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `L`.
-#[device(name = "L")]
+#[device(name = "L", picture = "docs/L.svg")]
 pub fn l(
     /// Width of the wire.
     #[default(1.0)]
@@ -92,7 +92,7 @@ pub fn l(
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `C`.
-#[device(name = "C")]
+#[device(name = "C", picture = "docs/C.svg")]
 pub fn c(
     /// Width of the wire.
     #[default(1.0)]

@@ -8,13 +8,6 @@ use phidl_macros::device;
 
 /// Draws a rectangle with its lower left corner at the origin.
 ///
-/// ```text
-///   ┌────────┐ height
-///   │        │
-///   └────────┘
-///  (0,0)   width
-/// ```
-///
 /// A negative extent draws to the other side of the origin; a zero one draws a line without area.
 ///
 /// # Ports
@@ -31,7 +24,7 @@ use phidl_macros::device;
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `rectangle`.
-#[device]
+#[device(picture = "docs/rectangle.svg")]
 pub fn rectangle(
     /// Width and height.
     #[default((4, 2))]
@@ -63,7 +56,7 @@ pub fn rectangle(
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `bbox`.
-#[device]
+#[device(picture = "docs/bbox.svg")]
 pub fn bbox(
     /// Two opposite corners.
     #[default([(-1, -1), (3, 4)])]
@@ -80,14 +73,6 @@ pub fn bbox(
 }
 
 /// Draws a straight wire that runs upwards: a rectangle with a port at either end.
-///
-/// ```text
-///      1
-///   ┌──┴──┐ height
-///   │     │
-///   └──┬──┘
-///      2
-/// ```
 ///
 /// # Ports
 /// `1` above, facing 90°, and `2` below, facing 270°; both `size.width` wide.
@@ -106,7 +91,7 @@ pub fn bbox(
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `straight`.
-#[device]
+#[device(picture = "docs/straight.svg")]
 pub fn straight(
     /// Width of the wire and its length.
     #[default((4, 2))]

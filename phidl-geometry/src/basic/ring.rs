@@ -38,7 +38,7 @@ use phidl_macros::device;
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `ring`.
-#[device]
+#[device(picture = "docs/ring.svg")]
 pub fn ring(
     /// Radius of the middle of the ring.
     #[default(10.0)]
@@ -102,7 +102,7 @@ pub fn ring(
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `arc`.
-#[device]
+#[device(picture = "docs/arc.svg")]
 pub fn arc(
     /// Radius of the middle of the arc.
     #[default(10.0)]

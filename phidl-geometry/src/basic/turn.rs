@@ -36,7 +36,7 @@ use super::arc;
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `turn`.
-#[device(example = TurnParams::new(Port::new((0, 0), 2, 90)))]
+#[device(picture = "docs/turn.svg", example = TurnParams::new(Port::new((0, 0), 2, 90)))]
 pub fn turn(
     /// Where it starts; its width is the width of the wire.
     port: Port,

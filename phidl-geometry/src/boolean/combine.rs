@@ -4,13 +4,7 @@ use phidl_core::prelude::*;
 use phidl_macros::device;
 
 use super::{Divisions, Elements};
-use crate::basic::{EllipseParams, RectangleParams};
-
-/// Two devices that overlap, for examples.
-pub(super) fn examples() -> (Elements, Elements) {
-    let drawn = |device: Result<Device>| device.map(Elements::from).unwrap_or_default();
-    (drawn(EllipseParams::default().build()), drawn(RectangleParams::default().size((12, 3)).build()))
-}
+use crate::basic::{circle, rectangle};
 
 /// Runs a set operation on two operands: `and`, `or`, `not` (`A-B`), `B-A` or `xor`.
 ///
@@ -34,7 +28,7 @@ pub(super) fn examples() -> (Elements, Elements) {
 ///
 /// # Source
 /// Own engine, compatible with PHIDL's `boolean`.
-#[device(example = { let (a, b) = examples(); BooleanParams::new(a, b, "not") })]
+#[device(picture = "docs/boolean.svg", example = BooleanParams::new(circle(10, 2.5, 0)?, rectangle((12, 12), 1)?, "not"))]
 pub fn boolean(
     /// First operand.
     #[param(name = "A")]
@@ -67,6 +61,9 @@ pub fn boolean(
 /// # Ports
 /// None.
 ///
+/// # Errors
+/// A coordinate that is off the grid, which reaches ±2⁴⁰ steps of `precision`, with the cell it is in.
+///
 /// # Examples
 /// ```
 /// # use phidl_core::prelude::*;
@@ -78,7 +75,7 @@ pub fn boolean(
 ///
 /// # Source
 /// Own engine, compatible with PHIDL's `union`.
-#[device(example = UnionParams::new(examples().0))]
+#[device(picture = "docs/union.svg", example = UnionParams::new([circle(10, 2.5, 0)?, rectangle((12, 12), 1)?]))]
 pub fn union(
     /// What is merged.
     #[param(name = "D")]
@@ -111,6 +108,9 @@ pub fn union(
 /// # Ports
 /// None.
 ///
+/// # Errors
+/// A coordinate that is off the grid, which reaches ±2⁴⁰ steps of `precision`, with the cell it is in.
+///
 /// # Examples
 /// ```
 /// # use phidl_core::prelude::*;
@@ -122,7 +122,7 @@ pub fn union(
 ///
 /// # Source
 /// Own engine, compatible with PHIDL's `xor_diff`.
-#[device(example = { let (a, b) = examples(); XorDiffParams::new(a, b) })]
+#[device(picture = "docs/xor_diff.svg", example = XorDiffParams::new(circle(10, 2.5, 0)?, rectangle((12, 12), 1)?))]
 pub fn xor_diff(
     /// One drawing.
     #[param(name = "A")]

@@ -10,7 +10,8 @@ use phidl_boolean::{Border, KlOptions, OpenPorts};
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
-use super::{Elements, NumCpu, combine::examples};
+use super::{Elements, NumCpu};
+use crate::basic::{circle, cross, rectangle};
 
 /// Tile size where nothing else is asked for (µm).
 const TILE: Size = Size { width: 1000.0, height: 1000.0 };
@@ -25,9 +26,22 @@ fn options(precision: f64, tile_size: Option<Size>, num_cpu: NumCpu) -> KlOption
 /// # Ports
 /// None.
 ///
+/// # Errors
+/// Those of [`boolean`](fn@super::boolean).
+///
+/// # Examples
+/// ```
+/// # use phidl_core::prelude::*;
+/// # use phidl_geometry as pg;
+/// let (disc, square) = (pg::circle(10, 2.5, 0)?, pg::rectangle((12, 12), 1)?);
+/// let rest = pg::KlBooleanParams::new(&disc, &square, "A-B").layer(2).build()?;
+/// assert_eq!(rest.drawing_hash(), pg::BooleanParams::new(&disc, &square, "not").layer(2).build()?.drawing_hash());
+/// # Ok::<(), Error>(())
+/// ```
+///
 /// # Source
 /// Own engine, compatible with PHIDL's `kl_boolean`.
-#[device(example = { let (a, b) = examples(); KlBooleanParams::new(a, b, "not") })]
+#[device(picture = "docs/kl_boolean.svg", example = KlBooleanParams::new(circle(10, 2.5, 0)?, rectangle((12, 12), 1)?, "not"))]
 pub fn kl_boolean(
     /// First operand.
     #[param(name = "A")]
@@ -64,9 +78,24 @@ pub fn kl_boolean(
 /// # Ports
 /// None.
 ///
+/// # Errors
+/// Those of [`offset`](fn@super::offset).
+///
+/// # Examples
+/// ```
+/// # use phidl_core::prelude::*;
+/// # use phidl_geometry as pg;
+/// let pad = pg::rectangle((10, 10), 1)?;
+/// let grown = pg::KlOffsetParams::new(&pad).distance(2).build()?;
+/// let cut = pg::KlOffsetParams::new(&pad).distance(2).miter_mode(0).build()?;
+/// assert_eq!(grown.area(), 14.0 * 14.0);
+/// assert_eq!(cut.area(), 14.0 * 14.0 - 4.0 * 2.0); // half of a 2 × 2 square less at each corner
+/// # Ok::<(), Error>(())
+/// ```
+///
 /// # Source
 /// Own engine, compatible with PHIDL's `kl_offset`.
-#[device(example = KlOffsetParams::new(examples().0).distance(1))]
+#[device(picture = "docs/kl_offset.svg", example = KlOffsetParams::new(cross(10, 3, 0)?).distance(1))]
 pub fn kl_offset(
     /// What is drawn.
     elements: Elements,
@@ -105,9 +134,21 @@ pub fn kl_offset(
 /// # Ports
 /// Those of a single element, if ports are open.
 ///
+/// # Errors
+/// Those of [`outline`](fn@super::outline).
+///
+/// # Examples
+/// ```
+/// # use phidl_core::prelude::*;
+/// # use phidl_geometry as pg;
+/// let frame = pg::KlOutlineParams::new(pg::rectangle((10, 10), 1)?).distance(2).build()?;
+/// assert_eq!(frame.area(), 14.0 * 14.0 - 10.0 * 10.0);
+/// # Ok::<(), Error>(())
+/// ```
+///
 /// # Source
 /// Own engine, compatible with PHIDL's `kl_outline`.
-#[device(example = KlOutlineParams::new(examples().0).distance(1))]
+#[device(picture = "docs/kl_outline.svg", example = KlOutlineParams::new(cross(10, 3, 0)?).distance(1))]
 pub fn kl_outline(
     /// What is drawn.
     elements: Elements,
@@ -149,9 +190,21 @@ pub fn kl_outline(
 /// # Ports
 /// None.
 ///
+/// # Errors
+/// Those of [`invert`](fn@super::invert).
+///
+/// # Examples
+/// ```
+/// # use phidl_core::prelude::*;
+/// # use phidl_geometry as pg;
+/// let mold = pg::KlInvertParams::new(pg::rectangle((10, 10), 1)?).border((2, 5)).build()?;
+/// assert_eq!(mold.area(), 14.0 * 20.0 - 10.0 * 10.0);
+/// # Ok::<(), Error>(())
+/// ```
+///
 /// # Source
 /// Own engine, compatible with PHIDL's `kl_invert`.
-#[device(example = KlInvertParams::new(examples().0))]
+#[device(picture = "docs/kl_invert.svg", example = KlInvertParams::new(cross(10, 3, 0)?))]
 pub fn kl_invert(
     /// What is drawn.
     elements: Elements,

@@ -4,12 +4,17 @@ use phidl_boolean::{Border, OpenPorts};
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
-use super::{Divisions, Elements, JoinName, combine::examples};
+use super::{Divisions, Elements, JoinName};
+use crate::basic::cross;
 
 /// Grows shapes by a distance, or shrinks them by a negative one.
 ///
 /// # Ports
 /// None.
+///
+/// # Errors
+/// A coordinate that is off the grid, which reaches ±2⁴⁰ steps of `precision`, with the cell it is in.
+/// `distance` beyond the grid.
 ///
 /// # Examples
 /// ```
@@ -22,7 +27,7 @@ use super::{Divisions, Elements, JoinName, combine::examples};
 ///
 /// # Source
 /// Own engine, compatible with PHIDL's `offset`.
-#[device(example = OffsetParams::new(examples().0).distance(1))]
+#[device(picture = "docs/offset.svg", example = OffsetParams::new(cross(10, 3, 0)?).distance(1))]
 pub fn offset(
     /// What is grown.
     elements: Elements,
@@ -63,6 +68,9 @@ pub fn offset(
 /// # Ports
 /// Those of a single element, if ports are open.
 ///
+/// # Errors
+/// Those of [`offset`](fn@offset).
+///
 /// # Examples
 /// ```
 /// # use phidl_core::prelude::*;
@@ -75,7 +83,7 @@ pub fn offset(
 ///
 /// # Source
 /// Own engine, compatible with PHIDL's `outline`.
-#[device(example = OutlineParams::new(examples().0))]
+#[device(picture = "docs/outline.svg", example = OutlineParams::new(cross(10, 3, 0)?))]
 pub fn outline(
     /// What is framed.
     elements: Elements,
@@ -119,6 +127,9 @@ pub fn outline(
 /// # Ports
 /// None.
 ///
+/// # Errors
+/// A coordinate that is off the grid, which reaches ±2⁴⁰ steps of `precision`, with the cell it is in. `num_divisions` of 0.
+///
 /// # Examples
 /// ```
 /// # use phidl_core::prelude::*;
@@ -130,7 +141,7 @@ pub fn outline(
 ///
 /// # Source
 /// Own engine, compatible with PHIDL's `invert`.
-#[device(example = InvertParams::new(examples().0))]
+#[device(picture = "docs/invert.svg", example = InvertParams::new(cross(10, 3, 0)?))]
 pub fn invert(
     /// What is left out.
     elements: Elements,

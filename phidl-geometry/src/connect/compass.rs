@@ -7,14 +7,6 @@ use crate::basic::rectangle;
 
 /// Draws a rectangle around the origin with a port on each side.
 ///
-/// ```text
-///        N
-///    ┌───┴───┐
-///  W ┤   ·   ├ E
-///    └───┬───┘
-///        S
-/// ```
-///
 /// The rectangle is a reference to one [`rectangle`](fn@rectangle).
 ///
 /// # Ports
@@ -31,7 +23,7 @@ use crate::basic::rectangle;
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `compass`.
-#[device]
+#[device(picture = "docs/compass.svg")]
 pub fn compass(
     /// Width and height.
     #[default((4, 2))]

@@ -13,19 +13,11 @@ const SIDES: [(&str, f64); 4] = [("N", 90.0), ("S", 270.0), ("E", 0.0), ("W", 18
 
 /// Draws a rectangle around the origin with several ports on each side.
 ///
-/// ```text
-///      N1  N2  N3
-///    ┌─┴───┴───┴─┐
-/// W1 ┤     ·     ├ E1
-///    └─┬──┬──┬──┬┘
-///     S1 S2 S3 S4
-/// ```
-///
 /// The rectangle is a reference to one [`rectangle`](fn@rectangle).
 ///
 /// # Ports
 /// On every side that `ports` names, so many as it says: they share the side evenly and fill it, and look outwards.
-/// Their names are the side and a number from 1, counted to the right (`N`, `S`) or upwards (`E`, `W`).
+/// Their names are the side and a number, counted to the right (`N1`, `N2`, …, `S1`, …) or upwards (`E1`, …, `W1`, …).
 ///
 /// # Errors
 /// `ports` names another side than `N`, `S`, `E`, `W`.
@@ -41,7 +33,7 @@ const SIDES: [(&str, f64); 4] = [("N", 90.0), ("S", 270.0), ("E", 0.0), ("W", 18
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `compass_multi`.
-#[device]
+#[device(picture = "docs/compass_multi.svg")]
 pub fn compass_multi(
     /// Width and height.
     #[default((4, 2))]

@@ -21,7 +21,7 @@ use phidl_macros::device;
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `connector`.
-#[device]
+#[device(picture = "docs/connector.svg")]
 pub fn connector(
     /// Where both ports are.
     #[default((0, 0))]

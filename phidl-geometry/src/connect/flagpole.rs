@@ -76,7 +76,7 @@ pub enum PoleTaper {
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `flagpole`.
-#[device]
+#[device(picture = "docs/flagpole.svg")]
 pub fn flagpole(
     /// Width and height of the flag.
     #[default((4, 2))]

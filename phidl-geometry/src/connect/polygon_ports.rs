@@ -6,14 +6,6 @@ use phidl_macros::device;
 
 /// Draws any outline with a port on every edge.
 ///
-/// ```text
-///         2
-///     ┌───┴───┐
-///   1 ┤       ├ 3
-///     └───┬───┘
-///         4
-/// ```
-///
 /// # Ports
 /// `1`, `2` … on the edges in the order of the points, the last one on the edge back to the first point: in the middle
 /// of the edge, as wide as the edge is long, looking outwards.
@@ -35,7 +27,7 @@ use phidl_macros::device;
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `polygon_ports`.
-#[device]
+#[device(picture = "docs/polygon_ports.svg")]
 pub fn polygon_ports(
     /// x of the points.
     #[default([-1, -1, 0, 0])]

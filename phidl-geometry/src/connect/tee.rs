@@ -40,7 +40,7 @@ use super::{PoleTaper, filleted};
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `tee`.
-#[device]
+#[device(picture = "docs/tee.svg")]
 pub fn tee(
     /// Width and height of the bar.
     #[default((4, 2))]

@@ -102,7 +102,7 @@ impl TextLocation {
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `basic_die`.
-#[device]
+#[device(picture = "docs/basic_die.svg", example = BasicDieParams::default().size((3000, 2000)).street_length(500).draw_bbox(false))]
 pub fn basic_die(
     /// Width and height.
     #[default((10000, 10000))]

@@ -8,7 +8,7 @@ use phidl_macros::device;
 use super::raster::Raster;
 use super::region::Region;
 use crate::arguments::{Each, LayerList, PerAxis};
-use crate::basic::{Corners, rectangle};
+use crate::basic::{Corners, circle, rectangle};
 
 /// Which layers a fill keeps away from.
 ///
@@ -111,7 +111,7 @@ impl<P: Into<Point>> IntoOption<Corners> for [P; 2] {
 /// # Source
 /// Own design, compatible with PHIDL's `fill_rectangle` in its parameters and its cell. Which cells are used differs:
 /// there the margin is measured between pixels, and half a cell of it can be lost.
-#[device(example = FillRectangleParams::new(crate::basic::circle(100, 2.5, 0)?).margin(20).bbox([(-250, -200), (250, 200)]))]
+#[device(picture = "docs/fill_rectangle.svg", example = FillRectangleParams::new(circle(100, 2.5, 0)?).margin(20).bbox([(-250, -200), (250, 200)]))]
 pub fn fill_rectangle(
     /// What is to be kept away from.
     #[param(name = "D")]

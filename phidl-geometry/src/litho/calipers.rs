@@ -33,7 +33,7 @@ use crate::basic::rectangle;
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `litho_calipers`.
-#[device]
+#[device(picture = "docs/litho_calipers.svg")]
 pub fn litho_calipers(
     /// Width and height of a notch.
     #[default((2, 5))]

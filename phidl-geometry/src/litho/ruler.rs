@@ -30,7 +30,7 @@ use phidl_macros::device;
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `litho_ruler`.
-#[device]
+#[device(picture = "docs/litho_ruler.svg")]
 pub fn litho_ruler(
     /// Height that `scale` multiplies.
     #[default(2.0)]

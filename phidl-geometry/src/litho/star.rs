@@ -24,7 +24,7 @@ use crate::basic::rectangle;
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `litho_star`.
-#[device]
+#[device(picture = "docs/litho_star.svg")]
 pub fn litho_star(
     /// How many lines.
     #[default(20)]

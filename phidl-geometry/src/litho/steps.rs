@@ -34,7 +34,7 @@ use crate::text::{Justify, text};
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `litho_steps`.
-#[device]
+#[device(picture = "docs/litho_steps.svg")]
 pub fn litho_steps(
     /// Widths of the lines; the last one is drawn first.
     #[default([1, 2, 4, 8, 16])]

@@ -44,7 +44,7 @@ const MOST_STEPS: usize = 1_000_000;
 /// # Source
 /// J. R. Clem and K. K. Berggren, "Geometry-dependent critical currents in superconducting nanocircuits", Phys. Rev. B
 /// 84, 174510 (2011), <https://doi.org/10.1103/PhysRevB.84.174510>.
-#[device]
+#[device(picture = "docs/optimal_hairpin.svg")]
 pub fn optimal_hairpin(
     /// Width of the wire far from the turn.
     #[default(0.2)]

@@ -6,15 +6,7 @@ use phidl_macros::device;
 
 /// Draws a nanowire bend of 90° whose inner edge keeps the current from crowding.
 ///
-/// ```text
-///     1
-///   ┌───┐
-///   │   │
-///   │   ╲
-///   │    `‾‾──┐
-///   │         ├─ 2      the outer corner is the origin
-///   └─────────┘
-/// ```
+/// The outer corner is the origin; the arms run along x and y.
 ///
 /// # Ports
 /// `1` at the end of the upright lead, facing 90°; `2` at the end of the other, facing 0°; both `width` wide.
@@ -36,7 +28,7 @@ use phidl_macros::device;
 /// # Source
 /// J. R. Clem and K. K. Berggren, "Geometry-dependent critical currents in superconducting nanocircuits", Phys. Rev. B
 /// 84, 174510 (2011), <https://doi.org/10.1103/PhysRevB.84.174510>.
-#[device]
+#[device(picture = "docs/optimal_90deg.svg")]
 pub fn optimal_90deg(
     /// Width of the wire.
     #[default(100.0)]
@@ -46,7 +38,7 @@ pub fn optimal_90deg(
     #[default(15)]
     #[param(min = 2, max = 1000000)]
     num_pts: usize,
-    /// How far the leads reach: about 1.47 widths more for 1 more.
+    /// How far the leads reach, a pure number: about 1.47 widths more for 1 more.
     #[default(1.0)]
     #[param(above = 0.0, max = 100.0)]
     length_adjust: f64,

@@ -102,7 +102,7 @@ impl Param for OpenSize {
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `snspd`; for the turns see [`optimal_hairpin`](fn@crate::optimal_hairpin).
-#[device]
+#[device(picture = "docs/snspd.svg")]
 pub fn snspd(
     /// Width of the wire.
     #[default(0.2)]
@@ -120,7 +120,7 @@ pub fn snspd(
     #[default(None)]
     #[param(above = 0.0)]
     num_squares: Option<f64>,
-    /// Width of the wire in the turns, as a multiple of `wire_width`.
+    /// Width of the wire in the turns, a multiple of `wire_width`.
     #[default(4.0)]
     #[param(above = 0.0)]
     turn_ratio: f64,
@@ -193,19 +193,11 @@ fn rows(quotient: f64, terminals_same_side: bool) -> Result<usize> {
 
 /// Draws a [`snspd`](fn@snspd) with an [`optimal_step`](fn@crate::optimal_step) to a wider wire at both terminals.
 ///
-/// ```text
-///   1 ━━━___
-///           ‾‾───────────╮
-///       ╭────────────────╯
-///       ╰─────────────__
-///                       ‾‾━━━ 2
-/// ```
-///
 /// # Ports
 /// `1` and `2` at the ends of the steps, `connector_width` wide, facing as those of the snspd.
 ///
 /// # Info
-/// That of the snspd; the steps are not counted.
+/// Those of the snspd, `num_squares`, `area` (µm²) and `size` (µm); the steps are not counted.
 ///
 /// # Errors
 /// Those of [`snspd`](fn@snspd) and [`optimal_step`](fn@crate::optimal_step).
@@ -221,7 +213,7 @@ fn rows(quotient: f64, terminals_same_side: bool) -> Result<usize> {
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `snspd_expanded`.
-#[device]
+#[device(picture = "docs/snspd_expanded.svg")]
 pub fn snspd_expanded(
     /// Width of the wire.
     #[default(0.2)]
@@ -246,7 +238,7 @@ pub fn snspd_expanded(
     /// Widen the wire on both sides.
     #[default(false)]
     connector_symmetric: bool,
-    /// Width of the wire in the turns, as a multiple of `wire_width`.
+    /// Width of the wire in the turns, a multiple of `wire_width`.
     #[default(4.0)]
     #[param(above = 0.0)]
     turn_ratio: f64,

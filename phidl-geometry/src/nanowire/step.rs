@@ -25,13 +25,7 @@ const ROOT_TOLERANCE: f64 = 1e-15;
 
 /// Draws a change of width whose edge keeps the current from crowding.
 ///
-/// ```text
-///                 __──────┐
-///             ╱‾‾         │
-///      ┌────‾             ├─ 2
-///   1 ─┤                  │
-///      └──────────────────┘     flat below, or symmetric about y = 0
-/// ```
+/// It is flat below, on y = 0, or symmetric about it.
 ///
 /// Two equal widths give a square.
 ///
@@ -65,7 +59,7 @@ const ROOT_TOLERANCE: f64 = 1e-15;
 /// # Source
 /// J. R. Clem and K. K. Berggren, "Geometry-dependent critical currents in superconducting nanocircuits", Phys. Rev. B
 /// 84, 174510 (2011), <https://doi.org/10.1103/PhysRevB.84.174510>.
-#[device]
+#[device(picture = "docs/optimal_step.svg")]
 pub fn optimal_step(
     /// Width at the start.
     #[default(10.0)]
@@ -83,7 +77,7 @@ pub fn optimal_step(
     #[default(1e-3)]
     #[param(above = 0.0, below = 1.0)]
     width_tol: f64,
-    /// How much longer than the line of flow it is; 1 for none of the reserve.
+    /// By which factor it is longer than the line of flow; 1 for none of the reserve.
     #[default(1.2)]
     #[param(above = 0.0)]
     anticrowding_factor: f64,

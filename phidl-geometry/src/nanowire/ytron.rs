@@ -80,7 +80,7 @@ impl Param for Arms {
 /// # Source
 /// A. N. McCaughan, N. S. Abebe, Q.-Y. Zhao and K. K. Berggren, "Using geometry to sense current", Nano Letters 16, 7626
 /// (2016).
-#[device]
+#[device(picture = "docs/ytron_round.svg")]
 pub fn ytron_round(
     /// Radius of the tip between the arms.
     #[default(1.0)]

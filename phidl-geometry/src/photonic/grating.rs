@@ -45,7 +45,7 @@ const MOST_PERIODS: usize = 1_000_000;
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `grating`.
-#[device]
+#[device(picture = "docs/grating.svg")]
 pub fn grating(
     /// Number of teeth or bars.
     #[default(20)]

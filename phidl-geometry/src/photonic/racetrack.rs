@@ -14,12 +14,8 @@ const SMALLEST_STEP: f64 = 1e-6;
 
 /// Draws a quarter of a ring that bends gradually: a superellipse whose tightest part is an arc.
 ///
-/// ```text
-///   ━━━━━──_
-///            ╲         from (R − c, 0) around to the y axis
-///             ┃
-///             ┃
-/// ```
+/// It runs from (R − c, 0), upright and hardly bent, to the y axis, which it meets at the end of the arc. The superellipse
+/// is moved to the left by c so that the arc continues it: 1.98 µm for R = 5 µm and N = 3.
 ///
 /// # Ports
 /// None.
@@ -45,7 +41,7 @@ const SMALLEST_STEP: f64 = 1e-6;
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `racetrack_gradual`.
-#[device]
+#[device(picture = "docs/racetrack_gradual.svg")]
 pub fn racetrack_gradual(
     /// Width of the wire.
     #[default(0.3)]

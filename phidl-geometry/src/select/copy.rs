@@ -7,6 +7,9 @@
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
+use crate::basic::CrossParams;
+use crate::connect::TeeParams;
+
 /// Makes a new cell with the same content: polygons, labels, ports, aliases, info and properties, and references to the
 /// same cells.
 ///
@@ -25,7 +28,7 @@ use phidl_macros::device;
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `copy`, which loses arrays, properties and parts of labels.
-#[device(no_cache, example = CopyParams::new(crate::connect::compass((4, 2), 0)?))]
+#[device(no_cache, picture = "docs/copy.svg", example = CopyParams::new(TeeParams::default().build()?))]
 pub fn copy(
     /// The original.
     #[param(name = "D")]
@@ -53,7 +56,7 @@ pub fn copy(
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `deepcopy`.
-#[device(no_cache, example = DeepcopyParams::new(crate::connect::compass((4, 2), 0)?))]
+#[device(no_cache, picture = "docs/deepcopy.svg", example = DeepcopyParams::new(TeeParams::default().build()?))]
 pub fn deepcopy(
     /// The original.
     #[param(name = "D")]
@@ -80,7 +83,7 @@ pub fn deepcopy(
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `flatten`, which loses arrays and does not look at `single_layer`.
-#[device(example = FlattenParams::new(crate::connect::compass((4, 2), 0)?))]
+#[device(picture = "docs/flatten.svg", example = FlattenParams::new(CrossParams::default().build()?))]
 pub fn flatten(
     /// The original.
     #[param(name = "D")]

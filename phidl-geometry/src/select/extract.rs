@@ -4,6 +4,7 @@ use phidl_core::prelude::*;
 use phidl_macros::device;
 
 use crate::arguments::LayerList;
+use crate::test_structure::TestIcParams;
 
 /// Collects what is drawn on some layers, the whole hierarchy down, in one cell without references.
 ///
@@ -26,7 +27,7 @@ use crate::arguments::LayerList;
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `extract`.
-#[device(example = ExtractParams::new(crate::basic::rectangle((4, 2), 0)?))]
+#[device(picture = "docs/extract.svg", example = ExtractParams::new(TestIcParams::default().build()?))]
 pub fn extract(
     /// What is looked through.
     #[param(name = "D")]
@@ -70,7 +71,7 @@ pub fn extract(
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `copy_layer`.
-#[device(example = CopyLayerParams::new(crate::basic::rectangle((4, 2), 1)?))]
+#[device(picture = "docs/copy_layer.svg", example = CopyLayerParams::new(TestIcParams::default().build()?).new_layer(3))]
 pub fn copy_layer(
     /// What is copied from.
     #[param(name = "D")]

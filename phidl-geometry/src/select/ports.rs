@@ -7,6 +7,8 @@ use phidl_core::prelude::*;
 use phidl_core::scene::Anchor;
 use phidl_macros::device;
 
+use crate::connect::compass;
+
 /// How far the triangle of a port points outwards, as a part of its width.
 const TIP: f64 = 0.1;
 /// How far inside a port its label stands, as a part of its width.
@@ -41,7 +43,7 @@ const LABEL_SIZE: f64 = 0.04;
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `ports_to_geometry`, but with the width unrounded in the label.
-#[device(example = PortsToGeometryParams::new(crate::connect::compass((4, 2), 1)?))]
+#[device(picture = "docs/ports_to_geometry.svg", example = PortsToGeometryParams::new(compass((4, 2), 1)?))]
 pub fn ports_to_geometry(
     /// The original.
     device: Device,
@@ -69,7 +71,7 @@ pub fn ports_to_geometry(
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `geometry_to_ports`, which loses all ports if the layer has a datatype.
-#[device(example = GeometryToPortsParams::new(ports_to_geometry(crate::connect::compass((4, 2), 1)?, 0)?))]
+#[device(picture = "docs/geometry_to_ports.svg", example = GeometryToPortsParams::new(ports_to_geometry(compass((4, 2), 1)?, 0)?))]
 pub fn geometry_to_ports(
     /// The original.
     device: Device,

@@ -85,7 +85,7 @@ impl Param for SampleLayers {
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `preview_layerset`.
-#[device(example = PreviewLayersetParams::new([("gold", (1, 0)), ("pads", (2, 5)), ("via", (3, 0))]))]
+#[device(picture = "docs/preview_layerset.svg", example = PreviewLayersetParams::new([("gold", (1, 0)), ("pads", (2, 5)), ("via", (3, 0))]))]
 pub fn preview_layerset(
     /// The layers.
     ls: SampleLayers,

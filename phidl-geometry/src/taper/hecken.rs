@@ -18,13 +18,7 @@ const METERS: f64 = 1e-6;
 
 /// Draws a microstrip that changes its impedance along Hecken's curve, without steps at its ends.
 ///
-/// ```text
-///      ┌──────__
-///      │        ‾‾──────────
-///   1 ─┤                    ├─ 2    from (0, 0) to (length, 0)
-///      │        __──────────
-///      └──────‾‾
-/// ```
+/// It lies along x, from (0, 0) to (`length`, 0), symmetric about the axis.
 ///
 /// Each end is given by its impedance or by its width; where both are, the width counts.
 ///
@@ -58,13 +52,13 @@ const METERS: f64 = 1e-6;
 /// # Source
 /// R. P. Hecken, "A near-optimum matching section without discontinuities", IEEE Trans. Microwave Theory Tech. MTT-20,
 /// 734–739 (1972).
-#[device(example = HeckenTaperParams::default().z1(50).width2(0.3))]
+#[device(picture = "docs/hecken_taper.svg", example = HeckenTaperParams::default().z1(50).width2(0.3))]
 pub fn hecken_taper(
     /// Length.
     #[default(200.0)]
     #[param(unit = "um", above = 0.0)]
     length: f64,
-    /// How gently it changes: reflections above the cutoff fall with it, and the cutoff rises.
+    /// How gently it changes, a pure number: reflections above the cutoff fall with it, and the cutoff rises.
     #[default(4.0091)]
     #[param(name = "B", min = 0.0, max = 100.0)]
     b: f64,

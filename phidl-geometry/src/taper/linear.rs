@@ -8,13 +8,7 @@ const DEFAULT_WIDTH: f64 = 5.0;
 
 /// Draws a straight piece of wire that changes its width evenly.
 ///
-/// ```text
-///      ┌──
-///      │   ──
-///   1 ─┤     ├─ 2    from (0, 0) to (length, 0)
-///      │   ──
-///      └──
-/// ```
+/// It lies along x, from (0, 0) to (`length`, 0), symmetric about the axis.
 ///
 /// With `port`, the taper starts at that port, facing it.
 ///
@@ -34,7 +28,7 @@ const DEFAULT_WIDTH: f64 = 5.0;
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `taper`.
-#[device]
+#[device(picture = "docs/taper.svg", example = TaperParams::default().width2(1))]
 pub fn taper(
     /// Length.
     #[default(10.0)]
@@ -72,12 +66,7 @@ pub fn taper(
 
 /// Draws a piece of wire with a flat lower edge whose width changes evenly.
 ///
-/// ```text
-///           __┐
-///      ┌──‾‾  ├─ 2
-///   1 ─┤      │
-///      └──────┘         from (0, 0) to (length, 0)
-/// ```
+/// It lies along x, with its lower edge from (0, 0) to (`length`, 0).
 ///
 /// # Ports
 /// `1` in the middle of the start, `width1` wide, facing 180°; `2` in the middle of the end, `width2` wide, facing 0°.
@@ -93,7 +82,7 @@ pub fn taper(
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `ramp`.
-#[device]
+#[device(picture = "docs/ramp.svg")]
 pub fn ramp(
     /// Length.
     #[default(10.0)]

@@ -54,7 +54,7 @@ const MOST_ROWS: f64 = 1e5;
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `meander_taper`.
-#[device(example = MeanderTaperParams::new([0, 50, 100], [1, 3, 4]).meander_length(30))]
+#[device(picture = "docs/meander_taper.svg", example = MeanderTaperParams::new([0, 50, 100], [1, 3, 4]).meander_length(30))]
 pub fn meander_taper(
     /// Places along the line where the width is given.
     #[param(unit = "um")]

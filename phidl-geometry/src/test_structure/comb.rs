@@ -43,7 +43,7 @@ const MOST_PASSES: f64 = 1e6;
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `test_comb`.
-#[device]
+#[device(picture = "docs/test_comb.svg")]
 pub fn test_comb(
     /// Width and height of the pads.
     #[default((200, 200))]

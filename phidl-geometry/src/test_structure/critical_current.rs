@@ -49,7 +49,7 @@ const PITCH: f64 = 1.2;
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `test_ic`.
-#[device]
+#[device(picture = "docs/test_ic.svg")]
 pub fn test_ic(
     /// Width of each wire in the middle.
     #[default([0.25, 0.5, 1.0, 2.0, 4.0])]

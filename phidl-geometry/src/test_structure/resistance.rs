@@ -46,7 +46,7 @@ const MOST_ROWS: f64 = 1e6;
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `test_res`.
-#[device]
+#[device(picture = "docs/test_res.svg")]
 pub fn test_res(
     /// Width and height of the pads.
     #[default((50, 50))]

@@ -45,7 +45,7 @@ const BELOW_PAD_TOP: f64 = 5.0;
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `test_via`.
-#[device]
+#[device(picture = "docs/test_via.svg")]
 pub fn test_via(
     /// How many vias.
     #[default(100)]

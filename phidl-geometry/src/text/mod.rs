@@ -53,7 +53,8 @@ pub enum Justify {
 /// | spacing | the table of [`deplof`] | shaping and kerning by the font, right-to-left scripts too |
 ///
 /// A file is taken if there is one at this path; otherwise the name is looked up among the fonts of the system (a
-/// family, such as `DejaVu Sans`, or a PostScript name, such as `DejaVuSans-Bold`). System fonts differ from machine to
+/// family, such as `DejaVu Sans`, or a PostScript name, such as `DejaVuSans-Bold`). Of a file with several fonts the first
+/// is taken, of a variable font the default. System fonts differ from machine to
 /// machine, so a mask that must not change names a file. Like all parameters, the path is the key of the cache: in one
 /// run, a file is drawn as it was at first.
 ///
@@ -86,7 +87,7 @@ pub enum Justify {
 ///
 /// # Source
 /// Own design, compatible with PHIDL's `text` in parameters and DEPLOF's metrics; the letters are our own.
-#[device]
+#[device(picture = "docs/text.svg")]
 pub fn text(
     /// What is written; `\n` starts a new line.
     #[default("abcd")]

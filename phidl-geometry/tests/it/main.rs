@@ -1,7 +1,9 @@
 //! Integration tests of the shape library.
 
 mod arrange;
+mod bounds;
 mod deplof;
+mod docs;
 mod domain;
 mod extremes;
 mod fill;

@@ -205,3 +205,32 @@ fn deplof_is_known_in_any_case_and_has_nothing_to_bridge() {
     let params = TextParams::default().text("B8").font("deplof").stencil(3);
     assert_eq!(params.build().unwrap().drawing_hash(), left("B8", 10.0).drawing_hash());
 }
+
+/// A text in one of the little fonts of `tests/fonts`, in which a unit is a micrometer at size 800.
+fn little(font: &str, text: &str) -> Device {
+    let path = format!("{}/tests/fonts/{font}", env!("CARGO_MANIFEST_DIR"));
+    TextParams::default().text(text).font(path).size(800).build().unwrap()
+}
+
+#[test]
+fn a_font_with_cubic_curves_is_drawn_with_its_holes() {
+    let ring = little("cff.otf", "o");
+    assert_box(&ring, [50.0, 0.0, 650.0, 600.0]);
+    assert_eq!(ring.area(), 600.0 * 600.0 - 200.0 * 200.0);
+    // Two quarters of radius 300, each a cubic with arms of 166 units; chords lose at most their tolerance.
+    let dome = little("cff.otf", "n");
+    assert_box(&dome, [50.0, 0.0, 650.0, 300.0]);
+    let arm = 166.0 / 300.0;
+    let curved = 2.0 * 300.0 * 300.0 * (0.5 + 0.6 * arm - 0.15 * arm * arm);
+    let lost = curved - dome.area();
+    assert!(lost > 0.0 && lost < 0.005 * 300.0 * PI, "{lost}");
+}
+
+#[test]
+fn a_variable_font_is_drawn_at_its_default_and_a_collection_by_its_first_face() {
+    for font in ["variable.ttf", "two.ttc"] {
+        let two = little(font, "oo");
+        assert_box(&two, [50.0, 0.0, 1350.0, 600.0]);
+        assert_eq!(two.area(), 2.0 * (600.0 * 600.0 - 200.0 * 200.0), "{font}");
+    }
+}

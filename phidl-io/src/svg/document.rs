@@ -4,40 +4,18 @@ use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use phidl_core::geom::{Point, Rect, Transform, signed_area};
-use phidl_core::layer::{Color, Layer};
+use phidl_core::layer::Layer;
 use phidl_core::place::Bounded;
 use phidl_core::scene::{Anchor, Device, Label, PolygonView, Reference};
 
 use super::SvgOptions;
 use super::array::{Thing, place, row};
+use super::looks::looks;
 use super::number::{escaped, length, placement, push_point};
 use crate::distinct::DistinctCells;
 
-/// Colors of layers without one, by layer number; those of PHIDL's viewer.
-const PALETTE: [Color; 12] = [
-    color(0x3d, 0xcc, 0x5c),
-    color(0x2b, 0x0f, 0xff),
-    color(0xcc, 0x3d, 0x3d),
-    color(0xe5, 0xdd, 0x45),
-    color(0x7b, 0x3d, 0xcc),
-    color(0xcc, 0x86, 0x0c),
-    color(0x73, 0xff, 0x0f),
-    color(0x2d, 0xcc, 0xb4),
-    color(0xff, 0x0f, 0xa3),
-    color(0x0e, 0xc2, 0xe6),
-    color(0x3d, 0x87, 0xcc),
-    color(0xe5, 0x52, 0x0e),
-];
-
-/// Opacity of layers that are in no set.
-const ALPHA: f64 = 0.6;
-
 /// Labels are this part of the picture's longer side high.
 const LABEL_PART: f64 = 1.0 / 50.0;
-
-const fn color(red: u8, green: u8, blue: u8) -> Color {
-    Color { red, green, blue }
-}
 
 /// What lies over each other in the picture: the layers, then the labels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -108,7 +86,7 @@ impl Picture<'_> {
                 }
             }
             let content = self.content(top, plane, number);
-            push_line(&mut groups, &format!("<g {}>{content}</g>", looks(plane, options)));
+            push_line(&mut groups, &format!("<g {}>{content}</g>", group_looks(plane, options)));
         }
         groups
     }
@@ -196,11 +174,9 @@ fn anchors(anchor: Anchor) -> (&'static str, &'static str) {
 }
 
 /// Name, color and opacity of a plane's group.
-fn looks(plane: Plane, options: &SvgOptions) -> String {
+fn group_looks(plane: Plane, options: &SvgOptions) -> String {
     let Plane::Layer(layer) = plane else { return "id=\"labels\"".to_owned() };
-    let named = options.layers.find(layer);
-    let color = named.and_then(|named| named.color).unwrap_or(PALETTE[usize::from(layer.number) % PALETTE.len()]);
-    let alpha = named.map_or(ALPHA, |named| named.alpha);
+    let (color, alpha) = looks(layer, &options.layers);
     let Layer { number, datatype } = layer;
     format!("id=\"layer{number:03}_datatype{datatype:03}\" fill=\"{color}\" opacity=\"{alpha}\"")
 }

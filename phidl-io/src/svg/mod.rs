@@ -1,4 +1,4 @@
-//! Devices as SVG pictures: [`write()`], [`to_string`].
+//! Devices as SVG pictures: [`write()`], [`to_string`]; small ones with their ports, for documentation: [`figure()`].
 //!
 //! - **One group per layer**, ascending, colored from a [`LayerSet`] or PHIDL's palette; the opacity is the group's, so that
 //!   overlaps within a layer do not get darker. Labels come last, as text.
@@ -12,6 +12,8 @@
 
 mod array;
 mod document;
+mod figure;
+mod looks;
 mod number;
 
 use std::path::Path;
@@ -21,6 +23,8 @@ use phidl_core::scene::Device;
 
 use crate::atomic;
 use crate::error::{IoError, Result};
+
+pub use figure::{FigureOptions, ScaleBar, figure};
 
 /// How a picture is drawn.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,12 +45,16 @@ impl Default for SvgOptions {
 
 impl SvgOptions {
     fn check(&self) -> Result<()> {
-        let positive = |option, v: f64| match v > 0.0 && v.is_finite() {
-            true => Ok(()),
-            false => Err(IoError::option(option, v, "be greater than 0 and finite")),
-        };
         positive("scale", self.scale)?;
         self.label_height.map_or(Ok(()), |height| positive("label_height", height))
+    }
+}
+
+/// Refuses what cannot be a length.
+fn positive(option: &'static str, v: f64) -> Result<()> {
+    match v > 0.0 && v.is_finite() {
+        true => Ok(()),
+        false => Err(IoError::option(option, v, "be greater than 0 and finite")),
     }
 }
 

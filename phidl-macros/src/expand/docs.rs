@@ -12,6 +12,33 @@ pub(super) fn attributes(docs: &[Expr]) -> TokenStream {
     docs.iter().map(|line| quote!(#[doc = #line])).collect()
 }
 
+/// The documentation of the function: its lines, and its drawing under the first paragraph.
+///
+/// The drawing is inline HTML, so that it needs no server and takes the colors of the page. The registry does without.
+pub(super) fn of_function(generator: &Generator) -> TokenStream {
+    let docs = &generator.attributes.docs;
+    let Some(file) = &generator.options.picture else { return attributes(docs) };
+    let blank = |doc: &Expr| matches!(doc, Expr::Lit(ExprLit { lit: Lit::Str(line), .. }) if line.value().is_empty());
+    let (summary, rest) = docs.split_at(docs.iter().position(blank).unwrap_or(docs.len()));
+    let (summary, rest) = (attributes(summary), attributes(rest));
+    quote! {
+        #summary
+        #[doc = "\n<div>"]
+        #[doc = ::core::include_str!(::core::concat!(::core::env!("CARGO_MANIFEST_DIR"), "/", #file))]
+        #[doc = "</div>\n"]
+        #rest
+    }
+}
+
+/// The call that draws the example, as it would be written: `RingParams::default()`. Empty if there is no example.
+pub(super) fn example(generator: &Generator) -> String {
+    match &generator.options.example {
+        Some(example) => source(example),
+        None if generator.required().next().is_none() => format!("{}::default()", generator.struct_name),
+        None => String::new(),
+    }
+}
+
 /// Documentation as one text, for the registry. Lines may be macros, such as `include_str!`.
 pub(super) fn text(docs: &[Expr]) -> TokenStream {
     match literal(docs) {
@@ -35,7 +62,10 @@ pub(super) fn parameter_list(generator: &Generator) -> Option<String> {
     if generator.params.is_empty() || written {
         return None;
     }
-    let mut list = format!("{heading}They are the fields of [`{}`].\n", generator.struct_name);
+    let mut list = format!(
+        "{heading}They are the fields of [`{}`]. A number that is not finite or out of its bounds is refused.\n",
+        generator.struct_name
+    );
     for param in &generator.params {
         let text = literal(&param.docs).unwrap_or_default();
         let text = text.split("\n\n").next().unwrap_or_default().trim().replace('\n', " ");
@@ -90,13 +120,14 @@ fn unit_sign(unit: &str) -> &str {
 
 /// An expression about as it was written.
 fn source(default: &Expr) -> String {
-    let text = default.to_token_stream().to_string();
+    // Long expressions come in several lines.
+    let text = default.to_token_stream().to_string().split_whitespace().collect::<Vec<_>>().join(" ");
     let mut source = String::new();
     for (i, c) in text.char_indices() {
         let rest = &text[i + c.len_utf8()..];
         let closed = c == ' '
             && (source.ends_with(['(', '[', '.', ':', '!', '-'])
-                || rest.starts_with([')', ']', '(', ',', '.', ':', '!']) && !source.ends_with(','));
+                || rest.starts_with([')', ']', '(', ',', '.', ':', '!', '?']) && !source.ends_with(','));
         if !closed {
             source.push(c);
         }
@@ -110,6 +141,22 @@ mod tests {
     use syn::parse_quote;
 
     #[test]
+    fn a_picture_stands_under_the_first_paragraph_with_blank_lines_around() {
+        let source = quote! {
+            /// Draws a pad,
+            /// a square one.
+            ///
+            /// It has no ports.
+            #[device]
+            fn pad() -> Result<Device> { body }
+        };
+        let code = crate::device_impl(quote!(picture = "docs/pad.svg"), source).to_string();
+        let place = |text: &str| code.find(text).unwrap_or_else(|| panic!("{text} is not in {code}"));
+        let order = ["a square one.", r#""\n<div>""#, "docs/pad.svg", r#""</div>\n""#, "It has no ports."].map(place);
+        assert!(order.is_sorted(), "{code}");
+    }
+
+    #[test]
     fn defaults_are_shown_as_they_were_written() {
         let shown = |default: Expr| source(&default);
         assert_eq!(shown(parse_quote!((4, 2))), "(4, 2)");
@@ -117,5 +164,9 @@ mod tests {
         assert_eq!(shown(parse_quote!(-0.5)), "-0.5");
         assert_eq!(shown(parse_quote!(Shape::Round)), "Shape::Round");
         assert_eq!(shown(parse_quote!(Some(Size::new(1.0, (2.0))))), "Some(Size::new(1.0, (2.0)))");
+        assert_eq!(
+            shown(parse_quote!(Params::new(disc(1, 2)?, "not").x(3))),
+            r#"Params::new(disc(1, 2)?, "not").x(3)"#
+        );
     }
 }

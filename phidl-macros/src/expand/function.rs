@@ -13,7 +13,7 @@ pub(super) fn expand(generator: &Generator) -> TokenStream {
     let (cfgs, others) = (&attributes.cfgs, &attributes.others);
     // An expectation is about the body; the shell would not fulfill it.
     let lints = attributes.lints.iter().filter(|lint| !lint.path().is_ident("expect"));
-    let lines = docs::attributes(&attributes.docs);
+    let lines = docs::of_function(generator);
     let list = docs::parameter_list(generator).map(|list| quote!(#[doc = #list]));
     let arguments = generator.arguments().map(|param| {
         let (name, ty) = (&param.name, param.widen.argument(&param.ty));

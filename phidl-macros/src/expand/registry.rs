@@ -30,9 +30,11 @@ pub(super) fn expand(generator: &Generator) -> TokenStream {
 }
 
 fn entry(generator: &Generator) -> TokenStream {
-    let Generator { registered, struct_name, attributes, params, .. } = generator;
+    let Generator { registered, struct_name, attributes, params, options, .. } = generator;
     let docs = docs::text(&attributes.docs);
     let rows = params.iter().map(row);
+    let example = docs::example(generator);
+    let picture = options.picture.as_ref().map(|file| quote!(.pictured(#file)));
     quote! {
         fn entry() -> &'static ::phidl_core::__private::Entry {
             static __ENTRY: ::phidl_core::__private::Entry = ::phidl_core::__private::Entry::new::<#struct_name>(
@@ -41,7 +43,8 @@ fn entry(generator: &Generator) -> TokenStream {
                 ::core::env!("CARGO_PKG_VERSION"),
                 #docs,
                 &[#(#rows),*],
-            );
+            )
+            .called(#example) #picture;
             &__ENTRY
         }
     }

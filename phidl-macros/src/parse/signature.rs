@@ -70,10 +70,11 @@ pub(crate) fn generator(options: TokenStream, function: Function, problems: &mut
 fn device_options(tokens: TokenStream, problems: &mut Problems) -> (Option<LitStr>, Options) {
     let list = problems.keep(syn::parse::Parser::parse2(options::list, tokens)).unwrap_or_default();
     let (mut registered, mut said) = (None, Options::default());
-    for item in options::items(list, &["name", "no_cache", "example"], problems) {
+    for item in options::items(list, &["name", "no_cache", "example", "picture"], problems) {
         match item.name.to_string().as_str() {
             "name" => registered = item.text(problems),
             "example" => said.example = item.value(problems),
+            "picture" => said.picture = item.text(problems),
             _ => {
                 item.flag(problems);
                 said.no_cache = true;

@@ -44,6 +44,22 @@ fn letter(
     d.build()
 }
 
+/// Draws a pad.
+#[device(picture = "tests/it/pad.svg", name = "pictured_pad")]
+fn pad(#[default(2)] size: f64) -> Result<Device> {
+    let mut d = Device::builder("pad");
+    d.add_polygon([(0.0, 0.0), (size, 0.0), (0.0, size)], 0)?;
+    d.build()
+}
+
+#[test]
+fn an_entry_has_the_path_of_its_picture_and_docs_without_it() {
+    let entry = registry::find("pictured_pad").unwrap();
+    assert_eq!((entry.docs, entry.picture), ("Draws a pad.", Some("tests/it/pad.svg")));
+    assert_eq!(entry.example_source, "PadParams::default()");
+    assert_eq!(pad(3).unwrap().area(), 4.5);
+}
+
 fn entry() -> &'static Entry {
     registry::find("L").unwrap()
 }
@@ -56,6 +72,7 @@ fn build(json: &str) -> Result<Device> {
 fn an_entry_tells_docs_kinds_units_bounds_and_defaults() {
     let entry = entry();
     assert_eq!(entry.docs, "Draws a letter.\n\nIt is only a bar.");
+    assert_eq!((entry.example_source, entry.picture), (r#"LetterParams::new("x").thickness(3)"#, None));
     assert_eq!((entry.module, entry.version), (module_path!(), env!("CARGO_PKG_VERSION")));
     let params = entry.params();
     let told: Vec<_> = params.iter().map(|p| (p.name, p.kind.to_string(), p.default.clone())).collect();

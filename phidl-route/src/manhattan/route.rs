@@ -47,7 +47,7 @@ const NOISE: f64 = 1e-6;
 ///
 /// # Source
 /// Own design, compatible with PHIDL 1.5's `route_manhattan` in parameters, ports and bends.
-#[device(example = RouteManhattanParams::new(((0, 0), 2, 0), ((80, -30), 2, 0)))]
+#[device(picture = "docs/route_manhattan.svg", example = RouteManhattanParams::new(((0, 0), 2, 0), ((80, -30), 2, 0)))]
 pub fn route_manhattan(
     /// Where it starts; its width is that of the route.
     port1: Port,
@@ -96,7 +96,7 @@ pub fn route_manhattan(
 ///
 /// # Source
 /// Own design, compatible with PHIDL 1.5's `route_manhattan_auto`, which draws crossings without a word.
-#[device(example = RouteManhattanAutoParams::new([((0, 0), 2, 0), ((90, 50), 2, 180), ((0, -60), 2, 0), ((90, -90), 2, 90)]))]
+#[device(picture = "docs/route_manhattan_auto.svg", example = RouteManhattanAutoParams::new([((0, 0), 2, 0), ((90, 50), 2, 180), ((0, -60), 2, 0), ((90, -90), 2, 90)]))]
 pub fn route_manhattan_auto(
     /// The ports, an even number of them.
     ports: Vec<Port>,

@@ -1,0 +1,119 @@
+//! One device of the gallery: its example, drawn, and how to call it.
+
+use std::path::PathBuf;
+
+use phidl_core::prelude::*;
+use phidl_core::registry;
+use phidl_core::runtime::Entry;
+use phidl_io::svg;
+
+use super::figure_options;
+
+/// Modules whose results are only understood beside what they were made from.
+const SHOW_SOURCES: [&str; 3] = ["phidl_geometry::boolean", "phidl_geometry::fill", "phidl_geometry::select::extract"];
+
+/// A device with everything that the gallery shows of it.
+pub(crate) struct Plate {
+    pub(crate) name: &'static str,
+    /// Its crate and its family, `phidl_geometry::basic`.
+    pub(crate) family: String,
+    /// The first paragraph of its documentation.
+    pub(crate) summary: String,
+    /// Where its figure lies in the repository, if its documentation shows one.
+    pub(crate) file: Option<PathBuf>,
+    pub(crate) device: Device,
+    pub(crate) figure: String,
+    pub(crate) rust: String,
+    pub(crate) json: String,
+}
+
+/// The devices of our libraries, by name.
+pub(crate) fn all(mut begin: impl FnMut(&str)) -> anyhow::Result<Vec<Plate>> {
+    let ours = |entry: &&Entry| ["phidl_geometry", "phidl_route"].contains(&krate(entry));
+    registry::all()
+        .filter(ours)
+        .map(|entry| {
+            begin(entry.name);
+            plate(entry)
+        })
+        .collect()
+}
+
+fn plate(entry: &'static Entry) -> anyhow::Result<Plate> {
+    let params: Vec<(&str, Value)> = entry.example().map_err(crate::in_full)?;
+    let device = entry
+        .build(&params.iter().map(|(name, value)| ((*name).to_owned(), value.clone())).collect())
+        .map_err(crate::in_full)?;
+    let mut options = figure_options(&device)?;
+    if SHOW_SOURCES.iter().any(|family| entry.module.starts_with(family)) {
+        params.iter().for_each(|(_, value)| devices_in(value, &mut options.sources));
+    }
+    let figure = svg::figure(&device, &options).map_err(|error| anyhow::anyhow!(error.in_full()))?;
+    let file = entry.picture.map(|file| PathBuf::from(krate(entry).replace('_', "-")).join(file));
+    Ok(Plate {
+        name: entry.name,
+        family: entry.module.split("::").take(2).collect::<Vec<_>>().join("::"),
+        summary: plain(entry.docs.split("\n\n").next().unwrap_or_default()),
+        file,
+        device,
+        figure,
+        rust: format!("{}.build()?", entry.example_source),
+        json: json(entry, &params),
+    })
+}
+
+/// A paragraph of Markdown without its links, code marks and line ends.
+fn plain(markdown: &str) -> String {
+    let mut text = String::new();
+    let mut rest = markdown;
+    while let Some((before, link)) = rest.split_once('[') {
+        text += before;
+        match link.split_once("](") {
+            Some((shown, target)) => {
+                text += shown;
+                rest = target.split_once(')').map_or("", |(_, after)| after);
+            }
+            None => {
+                text.push('[');
+                rest = link;
+            }
+        }
+    }
+    (text + rest).replace('`', "").replace('\n', " ")
+}
+
+fn krate(entry: &Entry) -> &'static str {
+    entry.module.split("::").next().unwrap_or(entry.module)
+}
+
+/// The parameters that are not at their defaults, as `cargo xtask device --params` takes them.
+fn json(entry: &Entry, params: &[(&str, Value)]) -> String {
+    let defaults = entry.params().into_iter().map(|param| param.default);
+    let given = params.iter().zip(defaults).filter(|((_, value), default)| Some(value) != default.as_ref());
+    let map: serde_json::Map<String, serde_json::Value> =
+        given.map(|((name, value), _)| ((*name).to_owned(), serde_json::json!(value))).collect();
+    serde_json::Value::Object(map).to_string()
+}
+
+/// All devices in a value.
+fn devices_in(value: &Value, found: &mut Vec<Device>) {
+    match value {
+        Value::Device(device) => found.push(device.clone()),
+        Value::List(list) => list.iter().for_each(|inner| devices_in(inner, found)),
+        Value::Map(map) => map.values().for_each(|inner| devices_in(inner, found)),
+        _ => {}
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn summaries_are_plain_text() {
+        assert_eq!(
+            plain("Runs it; see [`boolean`](fn@super::boolean).\nOr `[a, b]`."),
+            "Runs it; see boolean. Or [a, b]."
+        );
+    }
+}
