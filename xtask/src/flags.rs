@@ -32,6 +32,8 @@ pub(crate) enum Command {
     Offset(OffsetFlags),
     /// Times booleans and offsets beside KLayout, gdstk and PHIDL on the same files.
     Compare(CompareFlags),
+    /// Measures a boolean against the number of divisions, beside KLayout, and draws the figure of it.
+    Figure(FigureFlags),
     /// Opens the masks in KLayout, gdstk and gdspy, and checks booleans and offsets of random shapes against KLayout.
     Interop(InteropFlags),
 }
@@ -176,6 +178,23 @@ pub(crate) struct CompareFlags {
     /// The folder for scenes and the virtual environment.
     #[arg(long, value_name = "DIR", default_value = "target/compare")]
     pub(crate) out: PathBuf,
+}
+
+/// Flags of `figure`.
+#[derive(Debug, Args)]
+pub(crate) struct FigureFlags {
+    /// Shapes of each kind in each of two layers; 52 vertices for each.
+    #[arg(long, value_name = "N", default_value_t = 10_000)]
+    pub(crate) shapes: usize,
+    /// Number of threads, for both.
+    #[arg(long, value_name = "N", default_value_t = 2)]
+    pub(crate) threads: usize,
+    /// Where the figure is drawn.
+    #[arg(long, value_name = "FILE", default_value = "phidl-boolean/docs/divisions.svg")]
+    pub(crate) out: PathBuf,
+    /// The folder for the scene and the virtual environment.
+    #[arg(long, value_name = "DIR", default_value = "target/compare")]
+    pub(crate) scratch: PathBuf,
 }
 
 /// Flags of `interop`.

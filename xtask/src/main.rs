@@ -8,6 +8,7 @@ mod compare;
 mod demo;
 mod device;
 mod devices;
+mod figure;
 mod flags;
 mod gallery;
 mod interop;
@@ -34,6 +35,7 @@ fn main() -> ExitCode {
         Command::Boolean(flags) => boolean::run(&flags),
         Command::Offset(flags) => offset::run(&flags),
         Command::Compare(flags) => compare::run(&flags),
+        Command::Figure(flags) => figure::run(&flags),
         Command::Interop(flags) => interop::run(&flags),
     };
     match result {

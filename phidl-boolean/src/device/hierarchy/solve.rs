@@ -1,6 +1,6 @@
 //! [`Solver`]: opens placements from the top down until what repeats stands alone.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 use phidl_core::geom::Transform;
 use phidl_core::layer::Layers;
@@ -32,9 +32,9 @@ pub(super) struct Solver<'a> {
     known: HashMap<Key, Vec<usize>>,
 }
 
-/// Clusters that are each other's shifts, and where.
+/// Where the clusters of a context are.
+#[derive(Default)]
 struct Repeated {
-    context: usize,
     singles: Vec<GridPoint>,
     lattices: Vec<Lattice>,
 }
@@ -58,7 +58,7 @@ impl<'a> Solver<'a> {
         let region = self.work.region(&pile.seen_from(anchor), &self.grid, run)?;
         drop(pile);
         region.draw(cell, self.layers, self.options)?;
-        for Repeated { context, singles, lattices } in repeated {
+        for (context, Repeated { singles, lattices }) in repeated {
             let device = self.solve(context)?;
             if !device.is_empty() {
                 for lattice in lattices.into_iter().chain(gathered(singles)) {
@@ -105,10 +105,10 @@ impl<'a> Solver<'a> {
         Ok(device)
     }
 
-    /// Takes out what repeats, and opens the rest until only outlines are left.
-    fn sort_out(&mut self, mut items: Vec<Item>, pile: &mut Pile) -> Result<Vec<Repeated>, BooleanError> {
+    /// Takes out what repeats, by context, and opens the rest until only outlines are left.
+    fn sort_out(&mut self, mut items: Vec<Item>, pile: &mut Pile) -> Result<BTreeMap<usize, Repeated>, BooleanError> {
         let margin = self.work.margin(&self.grid);
-        let mut repeated: Vec<Repeated> = Vec::new();
+        let mut repeated = BTreeMap::new();
         while !items.is_empty() {
             Watch::check(self.options.run.watch)?;
             let clusters = clusters(&items, pile, margin);
@@ -131,7 +131,7 @@ impl<'a> Solver<'a> {
         items: &[Item],
         clusters: &[Cluster],
         margin: f64,
-        repeated: &mut Vec<Repeated>,
+        repeated: &mut BTreeMap<usize, Repeated>,
     ) -> Vec<bool> {
         let mut is_taken = vec![false; clusters.len()];
         for (key, alike) in self.alike(items, clusters, margin) {
@@ -144,16 +144,10 @@ impl<'a> Solver<'a> {
                 let members = || clusters[cluster].members.iter().map(|&i| &items[i]).collect::<Vec<_>>();
                 let Some(context) = self.context(&key, members, placed) else { continue };
                 is_taken[cluster] = true;
-                let place = match repeated.iter().rposition(|known| known.context == context) {
-                    Some(place) => place,
-                    None => {
-                        repeated.push(Repeated { context, singles: Vec::new(), lattices: Vec::new() });
-                        repeated.len() - 1
-                    }
-                };
+                let places = repeated.entry(context).or_default();
                 match pitch {
-                    None => repeated[place].singles.push(at),
-                    Some(pitch) => repeated[place].lattices.push(Lattice {
+                    None => places.singles.push(at),
+                    Some(pitch) => places.lattices.push(Lattice {
                         at,
                         columns: pitch.count[0],
                         rows: pitch.count[1],
