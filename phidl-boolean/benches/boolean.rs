@@ -140,13 +140,13 @@ fn hierarchies(criterion: &mut Criterion) {
         let kept = || hierarchy::boolean(black_box(&a), &b, "not", 3, &options);
         group.bench_function(id("not, kept"), |bench| bench.iter(kept));
         group.bench_function(id("offset, kept"), |bench| {
-            bench.iter(|| hierarchy::offset(black_box(&a), 0.5, &growth, 3, &options))
+            bench.iter(|| hierarchy::offset(black_box(&a), 0.25, &growth, 3, &options))
         });
         if side == 100 {
             let flat = || phidl_boolean::boolean(black_box(&a), &b, "not", 3, &options);
             group.bench_function(id("not, flat"), |bench| bench.iter(flat));
             group.bench_function(id("offset, flat"), |bench| {
-                bench.iter(|| phidl_boolean::offset(black_box(&a), 0.5, &growth, 3, &options))
+                bench.iter(|| phidl_boolean::offset(black_box(&a), 0.25, &growth, 3, &options))
             });
         }
     }

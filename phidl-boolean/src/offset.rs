@@ -9,6 +9,8 @@
 //! Rejected: uniting the strips as separate polygons (about five times the edges), and an engine's own outline
 //! function (`i_overlay` limits and bevels corners by other rules, and takes no clockwise outlines).
 
+use std::ops::Range;
+
 use phidl_core::num;
 use rayon::prelude::*;
 
@@ -30,6 +32,9 @@ const SPARE_STEPS: f64 = 8.0;
 
 /// Fewest points of a full circle: chords no farther from the arc than a quarter of the radius.
 const FEWEST_POINTS: f64 = 4.347;
+
+/// Corners that are moved by one parallel job.
+const STRETCH: usize = 2048;
 
 /// What is put at the corners where moved edges gape.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -100,10 +105,11 @@ pub fn offset(shapes: &Contours, distance: f64, options: &Growth, run: &RunOptio
     check(distance, options.join)?;
     run.check()?;
     shapes.check_range()?;
+    // All steps run on the same threads, which are started once.
+    let inner = RunOptions { threads: None, ..*run };
     if options.merge_first {
-        return Region::merged(shapes, run)?.offset(distance, options.join, run);
+        return run.on_threads(|| Region::merged(shapes, &inner)?.offset(distance, options.join, &inner));
     }
-    let inner = RunOptions { threads: None, watch: run.watch, ..*run };
     let alone = |shape: &[GridPoint]| -> Result<Region, BooleanError> {
         let one: Contours = [shape.to_vec()].into_iter().collect();
         Region::merged(&one, &inner)?.offset(distance, options.join, &inner)
@@ -133,11 +139,11 @@ impl Region {
         if self.vanishes(distance) {
             return Ok(Self::new());
         }
-        let outlines: Vec<&[GridPoint]> = self.contours().iter().collect();
-        let moved: Vec<Vec<GridPoint>> =
-            outlines.par_iter().map(|outline| moved_outline(outline, distance, join)).collect();
-        let moved: Contours = moved.into_iter().collect();
-        resolve([Operand::Wound(&moved), Operand::Wound(&Contours::new())], POSITIVE, run)
+        let inner = RunOptions { threads: None, ..*run };
+        run.on_threads(|| {
+            let moved = moved_outlines(self.contours(), distance, join);
+            resolve([Operand::Wound(&moved), Operand::Wound(&Contours::new())], POSITIVE, &inner)
+        })
     }
 
     /// True if shrinking eats the whole box of the region, with steps to spare: at the very distance, what rounding
@@ -206,16 +212,45 @@ fn run_between(a: GridPoint, b: GridPoint) -> Run {
     Run { direction: Vector { x: x / length, y: y / length }, length }
 }
 
-/// The outline with each edge moved by `distance` to its outside, and joined at the corners.
-fn moved_outline(outline: &[GridPoint], distance: f64, join: Join) -> Vec<GridPoint> {
-    let Some(&last) = outline.last() else { return Vec::new() };
-    let closed = outline.iter().zip(outline.iter().cycle().skip(1));
-    let runs: Vec<Run> = closed.map(|(&a, &b)| run_between(a, b)).collect();
-    let mut moved = Vec::with_capacity(outline.len() + outline.len() / 2);
-    let mut before = run_between(last, outline[0]);
-    for (&at, &after) in outline.iter().zip(&runs) {
-        Corner::new(at, before, after, distance).draw(join, &mut moved);
-        before = after;
+/// The outlines with each edge moved by `distance` to its outside, and joined at the corners.
+fn moved_outlines(outlines: &Contours, distance: f64, join: Join) -> Contours {
+    // A merged layer may be one outline of a million corners, so stretches are moved in parallel, not outlines.
+    let stretches: Vec<(&[GridPoint], Range<usize>)> = outlines.iter().flat_map(stretches).collect();
+    let moved: Vec<Vec<GridPoint>> = stretches
+        .par_iter()
+        .map(|(outline, corners)| moved_stretch(outline, corners.clone(), distance, join))
+        .collect();
+    let mut all = Contours::with_capacity(outlines.len(), moved.iter().map(Vec::len).sum());
+    let mut parts = moved.iter();
+    for outline in outlines.iter() {
+        all.push(parts.by_ref().take(stretches_of(outline)).flatten().copied());
+    }
+    all
+}
+
+fn stretches_of(outline: &[GridPoint]) -> usize {
+    outline.len().div_ceil(STRETCH)
+}
+
+fn stretches(outline: &[GridPoint]) -> impl Iterator<Item = (&[GridPoint], Range<usize>)> {
+    let corners = |stretch: usize| stretch * STRETCH..((stretch + 1) * STRETCH).min(outline.len());
+    (0..stretches_of(outline)).map(move |stretch| (outline, corners(stretch)))
+}
+
+/// What moving an outline makes of some of its corners.
+fn moved_stretch(outline: &[GridPoint], corners: Range<usize>, distance: f64, join: Join) -> Vec<GridPoint> {
+    let n = outline.len();
+    let at = |i: usize| outline[i % n];
+    let first = corners.start + n;
+    let run = |i: usize| run_between(at(i), at(i + 1));
+    let mut moved = Vec::with_capacity(corners.len() + corners.len() / 4);
+    let mut previous = Corner::new(at(first - 1), run(first - 2), run(first - 1), distance);
+    let mut corner = Corner::new(at(first), previous.after, run(first), distance);
+    for i in corners {
+        let next = Corner::new(at(i + 1), corner.after, run(i + 1), distance);
+        let keep_their_edges = previous.leaves_some_of(&corner) && corner.leaves_some_of(&next);
+        corner.draw(keep_their_edges, join, &mut moved);
+        (previous, corner) = (corner, next);
     }
     moved
 }
@@ -237,11 +272,26 @@ impl Corner {
         Self { at, before, after, distance, sin: u.x * v.y - u.y * v.x, cos: u.x * v.x + u.y * v.y }
     }
 
-    fn draw(&self, join: Join, out: &mut Vec<GridPoint>) {
+    /// How much moving takes away from either edge at this corner.
+    fn cut(&self) -> f64 {
+        if self.gapes() { 0.0 } else { (self.distance * self.sin).abs() / (1.0 + self.cos) }
+    }
+
+    /// Whether something is left of the edge to the next corner if the moved edges are cut where they meet, at both.
+    fn leaves_some_of(&self, next: &Self) -> bool {
+        self.cut() + next.cut() <= self.after.length
+    }
+
+    fn gapes(&self) -> bool {
+        self.sin * self.distance > 0.0
+    }
+
+    /// Draws what becomes of the corner; its moved edges may be cut where they meet if that leaves some of both.
+    fn draw(&self, leaves_edges: bool, join: Join, out: &mut Vec<GridPoint>) {
         let (n1, n2) = (self.before.direction.outward(), self.after.direction.outward());
-        let gapes = self.sin * self.distance > 0.0;
+        let gapes = self.gapes();
         let is_straight = self.cos > 0.0 && (self.sin * self.distance).abs() < STRAIGHT_STEPS;
-        if is_straight || (!gapes && self.edges_meet()) {
+        if is_straight || (!gapes && (leaves_edges || self.edges_meet())) {
             out.push(self.tip());
         } else if gapes {
             self.join(join, n1, n2, out);
@@ -261,9 +311,9 @@ impl Corner {
     fn join(&self, join: Join, n1: Vector, n2: Vector, out: &mut Vec<GridPoint>) {
         match join {
             Join::Miter { limit } if (1.0 + self.cos) * limit * limit >= 2.0 => out.push(self.tip()),
-            Join::Miter { .. } | Join::Bevel => self.cut((self.turn().abs() / 4.0).tan(), n1, n2, out),
+            Join::Miter { .. } | Join::Bevel => self.bevel((self.turn().abs() / 4.0).tan(), n1, n2, out),
             Join::Capped { extension } if (self.turn().abs() / 2.0).tan() <= extension => out.push(self.tip()),
-            Join::Capped { extension } => self.cut(extension, n1, n2, out),
+            Join::Capped { extension } => self.bevel(extension, n1, n2, out),
             Join::Round { points_per_turn } => self.arc(points_per_turn, n1, n2, out),
         }
     }
@@ -275,7 +325,7 @@ impl Corner {
     }
 
     /// Both moved edges extended by `extension` distances and joined by a straight cut.
-    fn cut(&self, extension: f64, n1: Vector, n2: Vector, out: &mut Vec<GridPoint>) {
+    fn bevel(&self, extension: f64, n1: Vector, n2: Vector, out: &mut Vec<GridPoint>) {
         let extension = extension * self.distance.abs();
         out.push(self.moved(n1.mix(self.distance, self.before.direction, extension), 1.0));
         out.push(self.moved(n2.mix(self.distance, self.after.direction, -extension), 1.0));
@@ -405,6 +455,27 @@ mod tests {
         };
         assert_eq!(shrunk(true), 175.0 - 56.0); // shrinking a merged outline of 60 µm with six convex, two reflex corners
         assert_eq!(shrunk(false), 64.0 + 64.0 - 9.0);
+    }
+
+    #[test]
+    fn long_outlines_are_moved_in_stretches_as_if_in_one() {
+        let comb: Vec<GridPoint> =
+            (0..3000i64).map(|i| GridPoint::new(10 * i, if i % 4 < 2 { 0 } else { 50 + i % 7 })).collect();
+        for distance in [-4.0, 2.5, 40.0] {
+            let whole = moved_stretch(&comb, 0..comb.len(), distance, Join::default());
+            let outlines: Contours = [comb.clone()].into_iter().collect();
+            let moved = moved_outlines(&outlines, distance, Join::default());
+            assert_eq!(moved.iter().collect::<Vec<_>>(), [whole.as_slice()]);
+        }
+    }
+
+    #[test]
+    fn edges_that_keep_a_part_are_cut_where_they_meet() {
+        // Each step takes more than half of the short edges, but never all of them.
+        let stairs = contours(&[(0, 0), (100, 0), (100, 10), (60, 10), (60, 40), (0, 40)]);
+        let moved = moved_outlines(&stairs, -4.0, Join::default());
+        let cut = contours(&[(4, 4), (96, 4), (96, 6), (56, 6), (56, 36), (4, 36)]);
+        assert_eq!(moved, cut);
     }
 
     #[test]

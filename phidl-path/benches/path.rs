@@ -5,16 +5,7 @@ use std::hint::black_box;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use phidl_core::prelude::*;
 use phidl_path::{CrossSection, EulerBend, Path, Section};
-
-/// Points of the long path.
-const POINTS: u32 = 10_000;
-
-/// A winding line of many points.
-fn winding() -> Path {
-    let points: Vec<Point> =
-        (0..POINTS).map(|i| f64::from(i) * 0.01).map(|t| Point::new(5.0 * t, 20.0 * t.sin())).collect();
-    Path::from_points(points).expect("the points are finite")
-}
+use testkit::loads;
 
 /// Three strips of constant width side by side.
 fn three_strips() -> CrossSection {
@@ -30,9 +21,9 @@ fn wavy_strip() -> CrossSection {
 }
 
 fn extrude(c: &mut Criterion) {
-    let path = winding();
+    let path = Path::from_points(loads::winding()).expect("the points are finite");
     let mut group = c.benchmark_group("extrude 10,000 points");
-    group.throughput(Throughput::Elements(POINTS.into()));
+    group.throughput(Throughput::Elements(loads::POINTS.into()));
     let (three, wavy) = (three_strips(), wavy_strip());
     group.bench_function("three sections", |b| b.iter(|| black_box(&path).extrude(&three)));
     group.bench_function("three sections, checked", |b| b.iter(|| black_box(&path).extrude_checked(&three)));
@@ -41,7 +32,7 @@ fn extrude(c: &mut Criterion) {
 }
 
 fn bends(c: &mut Criterion) {
-    let radii: Vec<f64> = (0..1000).map(|i| 3.0 + 0.01 * f64::from(i)).collect();
+    let radii = loads::radii();
     let mut group = c.benchmark_group("1,000 Euler bends");
     group.sample_size(20).throughput(Throughput::Elements(1000));
     let bend = EulerBend::new();
@@ -58,9 +49,7 @@ fn bends(c: &mut Criterion) {
 }
 
 fn smooth(c: &mut Criterion) {
-    let corners: Vec<Point> = (0..1000)
-        .map(|i| Point::new(f64::from(i / 2) * 40.0, if i % 4 == 0 || i % 4 == 3 { 0.0 } else { 40.0 }))
-        .collect();
+    let corners = loads::corners();
     c.bench_function("smooth 1,000 corners", |b| b.iter(|| Path::smooth(black_box(&corners), 5, EulerBend::new())));
 }
 

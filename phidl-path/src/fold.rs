@@ -6,6 +6,10 @@ use crate::extrude::Strip;
 use crate::miters::REPEATED;
 use crate::{CrossSection, rule};
 
+/// An edge may run back by this part of its chord: where a bend is exactly as tight as half the width, its inner edge is a
+/// point, and the chords of a fine arc, which lie within it, turn that into steps back of a hundred-thousandth.
+const POINTED: f64 = 1e-4;
+
 /// A side of a path, seen in its direction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[expect(missing_docs, reason = "the variants are the two sides")]
@@ -83,7 +87,7 @@ fn runs_backwards(strip: &Strip<'_>, side: Side, station: usize) -> bool {
     let (aside, aside_next) = (strip.distance(side, station), strip.distance(side, station + 1));
     if length > REPEATED {
         let edge = along + vectors[station + 1] * aside_next - vectors[station] * aside;
-        return edge.dot(along) < -REPEATED * length;
+        return edge.dot(along) < -(REPEATED + POINTED * length) * length;
     }
     // A beveled corner: the edge inside the turn goes around backwards, and with a half turn both do.
     aside != 0.0 && vectors[station].cross(vectors[station + 1]) * aside < REPEATED

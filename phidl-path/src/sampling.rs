@@ -1,9 +1,16 @@
 //! Sampling by tolerance: the fewest points that keep every chord close to its curve.
 //!
 //! From the start on, every chord is made as long as the tolerance lets it be; no other choice of points on the curve
-//! needs fewer chords. Then the tolerance is lowered until the last chord is as good as the others: the same number of
-//! chords, evenly good, and a symmetric bend gets symmetric points. Spacing points by the root of the curvature, the
-//! usual way, is wrong where the curvature goes to zero, which is how every Euler bend begins.
+//! needs fewer chords. Then the tolerance is lowered until the last chord is nearly as good as the others, and what it is
+//! still short of is shared out: the same number of chords, evenly good, and a symmetric bend gets symmetric points.
+//! Spacing points by the root of the curvature, the usual way, is wrong where the curvature goes to zero, which is how
+//! every Euler bend begins.
+//!
+//! How far a chord may reach is guessed from the directions of the curve, which cost no function: an arc of the length L
+//! that turns by a leaves its chord by L a / 8. What the curve does is a few percent off that, and by nearly the same
+//! part from one chord to the next. So a chord is found at the first or second try, and each try is measured.
+
+use std::f64::consts::TAU;
 
 use phidl_core::geom::Point;
 
@@ -19,6 +26,14 @@ pub(crate) trait Turning {
 
     /// The direction at a parameter (radians); monotone.
     fn heading(&self, t: f64) -> f64;
+
+    /// How far the point moves with the parameter there (µm).
+    fn pace(&self, t: f64) -> f64;
+
+    /// The parameter between two others at which the direction is `heading` (radians).
+    fn place_of(&self, heading: f64, from: f64, to: f64) -> f64 {
+        root(|t| self.heading(t) - heading, from, to)
+    }
 }
 
 /// A chord that misses the tolerance by less than this part of it is long enough.
@@ -27,103 +42,187 @@ const SLACK: f64 = 1e-3;
 /// The most steps in search of one chord.
 const MOST_STEPS: usize = 60;
 
-/// How often the range of tolerances is halved to even the chords out: the last one then differs by a few percent, the others by less.
-const HALVINGS: usize = 10;
+/// The last chord is about as long as the others when it uses up so much of what they do.
+const EVEN: f64 = 0.9;
+
+/// How often a tolerance is tried until the last chord is. Once is enough nearly always.
+const ROUNDS: usize = 6;
 
 /// The most chords on one piece: a file holds fewer points in a thousand polygons.
 pub(crate) const MOST_CHORDS: usize = 1 << 20;
 
+/// Chords as long as some tolerance lets them be, one after the other.
+struct Chords {
+    /// The inner vertices (parameters).
+    knots: Vec<f64>,
+    /// How much of what is allowed the last chord uses up.
+    last: f64,
+}
+
+impl Chords {
+    /// How many chords it would be if the last one could be cut off where the others are full; about.
+    fn amount(&self) -> f64 {
+        self.knots.len() as f64 + self.last.sqrt()
+    }
+}
+
 /// The fewest points strictly between the ends of a curve that keep every chord within `tolerance` (µm, positive);
 /// nothing if that takes more than [`MOST_CHORDS`].
 pub(crate) fn between_ends(curve: &impl Turning, tolerance: f64) -> Option<Vec<Point>> {
-    let knots = evened(curve, tolerance, longest(curve, tolerance)?);
+    let knots = leveled(curve, tolerance, evened(curve, tolerance, longest(curve, tolerance)?));
     Some(knots.into_iter().map(|t| curve.at(t)).collect())
 }
 
-/// The inner vertices (parameters) of chords as long as the tolerance lets them be, one after the other;
-/// nothing if there are more than [`MOST_CHORDS`].
-fn longest(curve: &impl Turning, tolerance: f64) -> Option<Vec<f64>> {
+/// The longest chords that keep a tolerance; nothing if there are more than [`MOST_CHORDS`].
+fn longest(curve: &impl Turning, tolerance: f64) -> Option<Chords> {
     let span = curve.span();
     let mut knots = Vec::new();
-    let (mut from, mut guess, mut before) = (0.0, span / 16.0, span / 16.0);
+    let mut search = Search { curve, tolerance, factor: 1.0, step: span / 16.0 };
+    let mut from = 0.0;
     while knots.len() < MOST_CHORDS {
-        let step = longest_step(curve, from, guess, tolerance);
+        let (step, load) = search.longest_step(from);
         if from + step >= span {
-            return Some(knots);
+            return Some(Chords { knots, last: load });
         }
-        // The next chord will have grown or shrunk about as much as this one.
-        guess = step * (step / before).clamp(0.5, 2.0);
-        (from, before) = (from + step, step);
+        from += step;
         knots.push(from);
     }
     None
 }
 
-/// The same number of chords, made with the smallest tolerance for which it is enough.
-fn evened(curve: &impl Turning, tolerance: f64, longest_ones: Vec<f64>) -> Vec<f64> {
-    let number = longest_ones.len();
+/// The same number of chords, made with about the smallest tolerance for which it is enough.
+fn evened(curve: &impl Turning, tolerance: f64, longest_ones: Chords) -> Chords {
+    let number = longest_ones.knots.len();
+    let wanted = (number + 1) as f64;
     // The error of a chord goes with the second to third power of its length: at this tolerance the chords are too many.
-    let (mut few, mut many) = (tolerance, tolerance * (number as f64 / (number + 1) as f64).powi(3));
+    let (mut few, mut many) = (tolerance, tolerance * (number as f64 / wanted).powi(3));
+    let (mut at, mut amount) = (tolerance, longest_ones.amount());
     let mut best = longest_ones;
-    for _ in 0..HALVINGS {
-        let middle = (few + many) / 2.0;
-        match longest(curve, middle) {
-            Some(knots) if knots.len() == number => (few, best) = (middle, knots),
-            _ => many = middle,
+    for _ in 0..ROUNDS {
+        if best.last >= EVEN {
+            break;
+        }
+        // A little less than is wanted: one chord more would be no use.
+        let aimed = at * (amount / (wanted - 0.03)).powi(2);
+        at = if aimed > many && aimed < few { aimed } else { (few + many) / 2.0 };
+        let Some(chords) = longest(curve, at) else { break };
+        amount = chords.amount();
+        if chords.knots.len() == number {
+            (few, best) = (at, chords);
+        } else {
+            many = at;
         }
     }
     best
 }
 
-/// The length of the longest chord from a parameter on that keeps the tolerance, at most to the end.
-fn longest_step(curve: &impl Turning, from: f64, guess: f64, tolerance: f64) -> f64 {
-    let rest = curve.span() - from;
-    let (mut good, mut bad) = (0.0, f64::INFINITY);
-    let mut step = guess.min(rest);
-    for _ in 0..MOST_STEPS {
-        let load = load(curve, from, from + step, tolerance);
-        if load > 1.0 {
-            bad = step;
-        } else if step >= rest {
-            return rest;
-        } else {
-            good = step;
-        }
-        if (1.0 - SLACK..=1.0).contains(&load) {
-            break;
-        }
-        // Errors go with the second power of the length, and with the third where the curvature begins at zero.
-        let aimed = step * ((1.0 - SLACK / 2.0) / load).powf(0.47).min(4.0);
-        let next = if aimed > good && aimed < bad { aimed } else { (good + bad) / 2.0 };
-        step = next.min(rest);
-    }
-    // A curve that no step of any length follows (there is none of that kind) is cut no finer than this.
-    good.max(curve.span() * 1e-9)
+/// The same number of chords, where the last one was short of a part of a chord, each short of its share of that: the
+/// vertices go back by as much of the chord before them. Unless a chord would miss the tolerance then.
+fn leveled(curve: &impl Turning, tolerance: f64, chords: Chords) -> Vec<f64> {
+    let Chords { knots, last } = chords;
+    let share = (1.0 - last.sqrt()) / (knots.len() + 1) as f64;
+    let before = std::iter::once(&0.0).chain(&knots);
+    let back = |(i, (t, before)): (usize, (&f64, &f64))| t - share * (i + 1) as f64 * (t - before);
+    let moved: Vec<f64> = knots.iter().zip(before).enumerate().map(back).collect();
+    let ends = || std::iter::once(0.0).chain(moved.iter().copied()).chain([curve.span()]);
+    let mut search = Search { curve, tolerance, factor: 1.0, step: 0.0 };
+    let sound = ends().zip(ends().skip(1)).all(|(from, to)| search.load(from, curve.at(from), to) <= 1.0);
+    if sound { moved } else { knots }
 }
 
-/// How much of what is allowed a chord uses up: of the tolerance or of the widest turn, whatever is more. Above 1 it is
-/// too long.
-fn load(curve: &impl Turning, from: f64, to: f64, tolerance: f64) -> f64 {
-    let turned = (curve.heading(to) - curve.heading(from)).abs().to_degrees() / WIDEST_CHORD;
-    // With more than half a turn the farthest point is not the only one that runs along the chord.
-    let error = if turned <= 1.0 { deviation(curve, from, to) / tolerance } else { 0.0 };
-    error.max(turned * turned)
+/// The search for one chord after the other.
+struct Search<'a, C> {
+    curve: &'a C,
+    tolerance: f64,
+    /// The deviation of the last chord, over that of an arc which is as long and turns as much: nearly the same from
+    /// chord to chord, so that the next one is found at the first try.
+    factor: f64,
+    /// The length of the last chord (in the parameter).
+    step: f64,
+}
+
+impl<C: Turning> Search<'_, C> {
+    /// The length of the longest chord from a parameter on that keeps the tolerance, at most to the end; and how much
+    /// of what is allowed it uses up.
+    fn longest_step(&mut self, from: f64) -> (f64, f64) {
+        let (rest, start) = (self.curve.span() - from, self.curve.at(from));
+        let (mut good, mut bad) = ((0.0, 0.0), f64::INFINITY);
+        let mut step = self.guess(from).min(rest);
+        for _ in 0..MOST_STEPS {
+            let load = self.load(from, start, from + step);
+            if load > 1.0 {
+                bad = step;
+            } else if step >= rest {
+                return (rest, load);
+            } else {
+                good = (step, load);
+            }
+            if (1.0 - SLACK..=1.0).contains(&load) {
+                break;
+            }
+            // Errors go with the second power of the length, and with the third where the curvature begins at zero.
+            let aimed = step * ((1.0 - SLACK / 2.0) / load).powf(0.47).min(4.0);
+            let next = if aimed > good.0 && aimed < bad { aimed } else { (good.0 + bad.min(rest)) / 2.0 };
+            step = next.min(rest);
+        }
+        // A curve that no step of any length follows (there is none of that kind) is cut no finer than this.
+        self.step = good.0.max(self.curve.span() * 1e-9);
+        (self.step, good.1)
+    }
+
+    /// A chord that should just keep the tolerance, from the directions of the curve alone.
+    fn guess(&self, from: f64) -> f64 {
+        /// Enough for four digits, which are more than the factor has.
+        const STEPS: usize = 8;
+        const CLOSE: f64 = 1e-4;
+        let allowed = (1.0 - SLACK / 2.0) * self.tolerance / self.factor;
+        let mut step = self.step;
+        for _ in 0..STEPS {
+            let ratio = allowed / self.sagitta(from, from + step);
+            // As a power between the square root, for arcs, and the cubic root, for the start of a clothoid: both
+            // converge.
+            step *= (0.58 + 0.42 * ratio).min(4.0);
+            if (ratio - 1.0).abs() <= CLOSE {
+                break;
+            }
+        }
+        step
+    }
+
+    /// How far an arc leaves its chord that is as long as a stretch of the curve and turns as much (µm).
+    fn sagitta(&self, from: f64, to: f64) -> f64 {
+        let turned = (self.curve.heading(to.min(self.curve.span())) - self.curve.heading(from)).abs();
+        self.curve.pace(from) * (to - from) * turned / 8.0
+    }
+
+    /// How much of what is allowed a chord uses up: of the tolerance or of the widest turn, whatever is more. Above 1
+    /// it is too long.
+    fn load(&mut self, from: f64, start: Point, to: f64) -> f64 {
+        let turned = (self.curve.heading(to) - self.curve.heading(from)).abs().to_degrees() / WIDEST_CHORD;
+        // With more than half a turn the farthest point is not the only one that runs along the chord.
+        if turned > 1.0 {
+            return turned * turned;
+        }
+        let deviation = deviation(self.curve, (from, start), to);
+        let sagitta = self.sagitta(from, to);
+        if sagitta > 0.0 && deviation > 0.0 {
+            self.factor = deviation / sagitta;
+        }
+        (deviation / self.tolerance).max(turned * turned)
+    }
 }
 
 /// The largest distance between a stretch of a curve and its chord (µm).
-fn deviation(curve: &impl Turning, from: f64, to: f64) -> f64 {
-    let (start, end) = (curve.at(from), curve.at(to));
-    let chord = end - start;
+fn deviation(curve: &impl Turning, (from, start): (f64, Point), to: f64) -> f64 {
+    let chord = curve.at(to) - start;
     let length = chord.norm();
     if length == 0.0 {
         return 0.0;
     }
-    // The curve is farthest from its chord where it runs along it.
-    let side = |t: f64| {
-        let (sin, cos) = curve.heading(t).sin_cos();
-        chord.cross(Point::new(cos, sin))
-    };
-    chord.cross(curve.at(root(side, from, to)) - start).abs() / length
+    // The curve is farthest from its chord where it runs along it. The chord turns less than half a turn.
+    let direction = chord.y.atan2(chord.x);
+    let heading = direction + TAU * ((curve.heading(from) - direction) / TAU).round();
+    chord.cross(curve.at(curve.place_of(heading, from, to)) - start).abs() / length
 }
 
 /// Where a function that changes its sign between two parameters is about zero: false position in the Illinois form
@@ -190,9 +289,9 @@ mod tests {
 
     fn check(curve: &impl Turning, tolerance: f64) {
         let long = longest(curve, tolerance).unwrap();
-        let even = evened(curve, tolerance, long.clone());
+        let even = leveled(curve, tolerance, evened(curve, tolerance, longest(curve, tolerance).unwrap()));
         let best = fewest(curve, tolerance);
-        for knots in [long, even] {
+        for knots in [long.knots, even] {
             let all = [&[0.0], &knots[..], &[curve.span()]].concat();
             let error = worst(curve, &all);
             assert!(error <= tolerance, "{error} µm with {} points for {tolerance} µm", knots.len());

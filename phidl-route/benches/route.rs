@@ -5,22 +5,12 @@ use std::hint::black_box;
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use phidl_core::prelude::*;
 use phidl_route::{RouteBend, RouteManhattanParams, manhattan_centerline, path_manhattan};
-
-const ROUTES: u32 = 10_000;
-
-/// Pairs of ports in all directions, from near to far, on a grid of their own.
-fn pairs() -> Vec<[Port; 2]> {
-    let pair = |i: u32| {
-        let (x, y) = (f64::from(i % 101) * 7.0 - 350.0, f64::from(i / 101) * 7.0 - 350.0);
-        [Port::new((0, 0), 2, 90 * (i % 4)), Port::new((x, y), 2, 90 * (i / 4 % 4))]
-    };
-    (0..ROUTES).map(pair).collect()
-}
+use testkit::loads;
 
 fn routes(c: &mut Criterion) {
-    let pairs = pairs();
+    let pairs = loads::pairs();
     let mut group = c.benchmark_group("manhattan");
-    group.sample_size(10).throughput(Throughput::Elements(ROUTES.into()));
+    group.sample_size(10).throughput(Throughput::Elements(pairs.len() as u64));
     group.bench_function("ways", |b| {
         b.iter(|| pairs.iter().map(|[a, z]| path_manhattan(a, z, 10).expect("a right angle").length()).sum::<f64>());
     });

@@ -16,6 +16,8 @@ use crate::width::RouteWidth;
 pub(crate) struct Drawing<'a> {
     pub(crate) what: &'a str,
     pub(crate) path: &'a Path,
+    /// The same line with more points, if the path has few: its chords may fold where its curve does not.
+    pub(crate) finer: Option<&'a Path>,
     pub(crate) layer: &'a Layers,
     pub(crate) width: Option<&'a RouteWidth>,
     /// How many corners it goes round.
@@ -40,7 +42,7 @@ impl Drawing<'_> {
             (_, Some(widths)) => CrossSection::of_width(widths, self.layer),
             (_, None) => CrossSection::new(),
         };
-        let mut d = self.extruded(&x)?;
+        let mut d = self.extruded(&x, request)?;
         for ((name, port), width) in ["1", "2"].into_iter().zip(ports).zip(widths.into_iter().flatten()) {
             d.add_port(name, port.flipped().with_width(width))?;
         }
@@ -50,11 +52,16 @@ impl Drawing<'_> {
     /// The route with ports at the ends of its path, wherever these look.
     pub(crate) fn on_its_own(&self, request: &Request<'_>) -> Result<DeviceBuilder> {
         let widths = self.port_widths([request.port1, request.port2])?;
-        self.extruded(&Section::new(widths).layer(self.layer).ports("1", "2").into())
+        self.extruded(&Section::new(widths).layer(self.layer).ports("1", "2").into(), request)
     }
 
-    fn extruded(&self, x: &CrossSection) -> Result<DeviceBuilder> {
-        let drawn = self.path.extrude(x).map_err(|error| error.within(self.what))?;
+    /// The route, unless one of its edges folds back.
+    fn extruded(&self, x: &CrossSection, request: &Request<'_>) -> Result<DeviceBuilder> {
+        let drawn = match self.finer {
+            None => self.path.extrude_checked(x),
+            Some(finer) => finer.extrude_checked(x).and_then(|_| self.path.extrude(x)),
+        };
+        let drawn = drawn.map_err(|error| error.within(format!("{} {}", self.what, request.between())))?;
         let mut d = drawn.edit();
         d.rename(self.what);
         d.info("bends", self.bends).info("smallest_radius", self.smallest_radius);

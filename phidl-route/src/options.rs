@@ -6,7 +6,7 @@ use phidl_core::Result;
 use phidl_core::param::{Kind, Mismatch, Param, Value};
 use phidl_path::{ArcBend, Bend, EulerBend, Path};
 
-use crate::manhattan::smallest_of_euler;
+use crate::manhattan::recorded;
 
 /// Points per full turn if nobody says.
 const NUM_PTS: f64 = 720.0;
@@ -57,11 +57,23 @@ impl SmoothOptions {
         matches!(self, Self::Arc { .. } | Self::Euler { use_eff: true, .. })
     }
 
+    /// The same with as many points as usual, if it has less.
+    pub(crate) fn finer(self) -> Option<Self> {
+        match self {
+            Self::Arc { num_pts } if num_pts < NUM_PTS => Some(Self::arc()),
+            Self::Euler { p, use_eff, num_pts } if num_pts < NUM_PTS => {
+                Some(Self::Euler { p, use_eff, num_pts: NUM_PTS })
+            }
+            _ => None,
+        }
+    }
+
     /// The smallest radius on the way round a corner (µm).
     pub(crate) fn smallest_radius(self, radius: f64, angle: f64) -> Result<f64> {
         match self {
             Self::Arc { .. } => Ok(radius),
-            Self::Euler { p, use_eff, .. } => smallest_of_euler(euler(p, use_eff), radius, angle),
+            // The record of the fewest points that there can be is that of the curve.
+            Self::Euler { p, use_eff, .. } => Ok(recorded(&euler(p, use_eff).num_pts(1).path(radius, angle)?, "Rmin")),
         }
     }
 }

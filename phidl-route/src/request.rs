@@ -61,6 +61,12 @@ impl<'a> Request<'a> {
         self.port2.midpoint() - self.port1.midpoint()
     }
 
+    /// A point in the frame of the first port: forwards and to the left (µm).
+    pub(crate) fn seen(&self, point: Point) -> Point {
+        let from = point - self.port1.midpoint();
+        Point::new(from.dot(self.forward1), from.dot(self.left1))
+    }
+
     /// How far in front of the first port the second one lies (µm).
     pub(crate) fn ahead(&self) -> f64 {
         self.span().dot(self.forward1)
@@ -175,7 +181,7 @@ pub(crate) fn title(role: &str, port: &Port) -> String {
 }
 
 /// A length in a message, without the noise of its last bits.
-fn micrometers(um: f64) -> String {
+pub(crate) fn micrometers(um: f64) -> String {
     const PICOMETERS: f64 = 1e6;
     format!("{} µm", (um * PICOMETERS).round() / PICOMETERS)
 }

@@ -28,7 +28,8 @@ use crate::{PathType, RouteWidth};
 ///
 /// # Errors
 /// The way must leave `port1` forwards and enter `port2` from the front. A length that the way does not have, a layer
-/// beside a cross-section, and a width of no port and no number are refused.
+/// beside a cross-section, and a width of no port and no number are refused; and so is a wire that folds back, because a leg
+/// is shorter than its corners are wide, or a corner turns by more than 168.5°.
 ///
 /// # Numerics
 /// Without a `width`, the width changes from that of `port1` to that of `port2` in proportion to the length, along all
@@ -87,6 +88,7 @@ pub fn route_sharp(
     let drawing = Drawing {
         what: NAME,
         path: &Path::from_points(points)?,
+        finer: None,
         layer: &layer,
         width: width.as_ref(),
         bends,

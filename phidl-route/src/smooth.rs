@@ -22,12 +22,14 @@ use crate::{PathType, RouteWidth, SmoothOptions};
 /// those of its sections.
 ///
 /// # Info
-/// `length` (µm), `bends`, and `smallest_radius` (µm; null without a bend).
+/// `length` (µm), `bends`, and `smallest_radius` (µm; null without a bend). By default this is about half of `radius`, which
+/// is that of the arc as large as the bend.
 ///
 /// # Errors
 /// The way must leave `port1` forwards and enter `port2` from the front, and have room for its bends. A length that the
 /// way does not have, a layer beside a cross-section, and a width of no port and no number are refused. A manhattan way
-/// has room for bends as large as the arc of their radius; for others, set `use_eff`.
+/// has room for bends as large as the arc of their radius; for others, set `use_eff`. A wire whose inner edge folds back,
+/// because a bend is tighter than half the width, is refused with the place of the fold.
 ///
 /// # Numerics
 /// Without a `width`, the width changes from that of `port1` to that of `port2` in proportion to the length. Edges are
@@ -96,11 +98,13 @@ pub fn route_smooth(
     let manual_path = manual_path.as_deref();
     let points = Way { what: NAME, path_type, manual_path, length1, length2, left1, radius }.points(&request)?;
     let turns = turns(&points);
-    let path = Path::smooth(points, radius, smooth_options).map_err(|error| error.within(request.between()))?;
+    let smooth = |options| Path::smooth(&points, radius, options).map_err(|error| error.within(request.between()));
+    let (path, finer) = (smooth(smooth_options)?, smooth_options.finer().map(smooth).transpose()?);
     let radii = turns.iter().map(|turn| smooth_options.smallest_radius(radius, *turn)).collect::<Result<Vec<_>>>()?;
     let drawing = Drawing {
         what: NAME,
         path: &path,
+        finer: finer.as_ref(),
         layer: &layer,
         width: width.as_ref(),
         bends: turns.len(),

@@ -45,7 +45,7 @@ pub fn path_xy(port1: impl Into<Point>, port2: impl Into<Point>, directions: &st
 /// `length` (µm), `bends`, and `smallest_radius`: 0 µm, or null without a corner.
 ///
 /// # Errors
-/// As for [`path_xy`]; and for widths as in [`route_sharp`](fn@crate::route_sharp).
+/// As for [`path_xy`]; and for widths and folds as in [`route_sharp`](fn@crate::route_sharp).
 ///
 /// # Examples
 /// ```
@@ -82,6 +82,7 @@ pub fn route_xy(
     let drawing = Drawing {
         what: NAME,
         path: &Path::from_points(points)?,
+        finer: None,
         layer: &layer,
         width: width.as_ref(),
         bends,

@@ -1,9 +1,13 @@
 //! `cargo xtask compare`: booleans and offsets of ours and of other tools, on the same files, in one sitting.
+//!
+//! Each line also tells how much the threads gain. Below the lines of a scene stands the memory of our command on its
+//! file, and at the end how the time grows with the work.
 
 use std::path::{Path, PathBuf};
+use std::process::Command;
 use std::time::Instant;
 
-use anyhow::Context;
+use anyhow::{Context, ensure};
 use phidl_boolean::grid::{self, Contours};
 use phidl_boolean::{Growth, Operation, Options, RunOptions};
 use phidl_core::layer::Layer;
@@ -28,11 +32,13 @@ struct Scene {
     name: &'static str,
     layers: [Outlines; 2],
     work: Vec<Work>,
+    /// Shapes of each kind, where scenes of several sizes are to be compared.
+    size: Option<usize>,
     /// PHIDL takes part in small scenes only: it needs minutes for the others.
     is_small: bool,
 }
 
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 enum Work {
     Boolean(Operation, &'static str),
     Offset(f64),
@@ -52,13 +58,40 @@ pub(crate) fn run(flags: &CompareFlags) -> anyhow::Result<()> {
     std::fs::create_dir_all(&flags.out).with_context(|| flags.out.display().to_string())?;
     let python = Python::with_peers(&flags.out.join("peers"))?;
     println!("times in ms, {} threads for everyone who can; ratio: the fastest other over ours", flags.threads);
-    println!("{:<44} {:>9} {:>9} {:>18} {:>6}", "", "on grid", "devices", "fastest other", "ratio");
+    println!("one thread: ours on grid on one thread, and that over ours on {}", flags.threads);
+    println!(
+        "{:<44} {:>9} {:>9} {:>14} {:>6} {:>10} {:>5}",
+        "", "on grid", "devices", "fastest other", "ratio", "one thread", ""
+    );
+    let mut growth = Growths::default();
     for scene in scenes(flags.quick) {
         if flags.filter.as_ref().is_none_or(|filter| scene.name.contains(filter.as_str())) {
-            compare(&scene, flags, python.as_ref())?;
+            compare(&scene, flags, python.as_ref(), &mut growth)?;
         }
     }
+    growth.print();
     Ok(())
+}
+
+/// Times of the same work on scenes of different sizes.
+#[derive(Default)]
+struct Growths(Vec<(Work, usize, f64)>);
+
+impl Growths {
+    /// Prints by how much the time grew from each crowded scene to the next larger one.
+    fn print(&self) {
+        let Self(times) = self;
+        for (position, &(work, size, time)) in times.iter().enumerate() {
+            if let Some(&(_, smaller, before)) = times[..position].iter().rfind(|(other, ..)| *other == work) {
+                let more = size as f64 / smaller as f64;
+                println!(
+                    "{more:.0} times the work of n = {smaller}, {}: {:.1} times the time",
+                    work.name(),
+                    time / before
+                );
+            }
+        }
+    }
 }
 
 fn scenes(quick: bool) -> Vec<Scene> {
@@ -71,6 +104,7 @@ fn scenes(quick: bool) -> Vec<Scene> {
             &[Work::Offset(0.5), Work::Offset(-0.3)],
         ]
         .concat(),
+        size: Some(n),
         is_small,
     };
     let (squares, cross) = scenes::squares_and_cross(if quick { 30 } else { 300 });
@@ -81,12 +115,14 @@ fn scenes(quick: bool) -> Vec<Scene> {
             name: "300 × 300 squares minus a cross",
             layers: [squares, cross],
             work: vec![Work::Boolean(Operation::Not, "not")],
+            size: None,
             is_small: false,
         },
         Scene {
             name: "95,000 72-gons",
             layers: [scenes::dots(size(95_000), 72), Vec::new()],
             work: vec![Work::Boolean(Operation::Or, "or"), Work::Offset(0.3)],
+            size: None,
             is_small: false,
         },
     ]
@@ -95,53 +131,86 @@ fn scenes(quick: bool) -> Vec<Scene> {
 const BOOLEANS: [(Operation, &str); 4] =
     [(Operation::Or, "or"), (Operation::And, "and"), (Operation::Not, "not"), (Operation::Xor, "xor")];
 
-fn compare(scene: &Scene, flags: &CompareFlags, python: Option<&Python>) -> anyhow::Result<()> {
+fn compare(scene: &Scene, flags: &CompareFlags, python: Option<&Python>, growth: &mut Growths) -> anyhow::Result<()> {
     let file = flags.out.join("scene.gds");
     let devices = draw(&scene.layers)?;
     layer_file::write(&both(&devices)?, &file, PRECISION)?;
     for &work in &scene.work {
-        let (on_grid, on_devices) = ours(&devices, work, flags.threads)?;
+        let ours = ours(&devices, work, flags.threads)?;
+        growth.0.extend(scene.size.map(|size| (work, size, ours.on_grid)));
         let mut others = Vec::new();
         for peer in PEERS.into_iter().filter(|&peer| scene.is_small || peer != "phidl") {
             if let Some(python) = python {
                 others.push((peer, theirs(python, &file, work, flags.threads, peer)?));
             }
         }
-        print_line(scene.name, work, on_grid, on_devices, &others);
+        print_line(scene.name, work, &ours, &others);
+    }
+    if scene.work.iter().any(|work| matches!(work, Work::Boolean(..))) {
+        println!("{:<44} {}", format!("{}: or, from file to file", scene.name), on_files(&file, scene, flags)?);
     }
     Ok(())
 }
 
-fn print_line(scene: &str, work: Work, on_grid: f64, on_devices: f64, others: &[(&str, f64)]) {
+/// What `cargo xtask boolean` says of its time and memory, in a process of its own: united layers of the file.
+fn on_files(file: &Path, scene: &Scene, flags: &CompareFlags) -> anyhow::Result<String> {
+    let layer = |number: u8| format!("{}:{number}", file.display());
+    // A scene of one layer is merged with itself.
+    let second = if scene.layers[1].is_empty() { 1 } else { 2 };
+    let command = Command::new(std::env::current_exe()?)
+        .args(["boolean", &layer(1), &layer(second), "--op", "or", "--threads", &flags.threads.to_string()])
+        .args(["--out", &format!("{}:3", flags.out.join("result.gds").display())])
+        .output()?;
+    let printed = String::from_utf8_lossy(&command.stdout);
+    ensure!(command.status.success(), "boolean: {printed}{}", String::from_utf8_lossy(&command.stderr));
+    let total = printed.lines().find_map(|line| line.strip_prefix("total")).context("boolean printed no total")?;
+    Ok(total.trim().to_owned())
+}
+
+fn print_line(scene: &str, work: Work, ours: &Ours, others: &[(&str, f64)]) {
     let fastest = others.iter().map(|&(_, time)| time).fold(f64::INFINITY, f64::min);
     let named: Vec<String> = others.iter().map(|(peer, time)| format!("{peer} {:.1}", time * 1e3)).collect();
     println!(
-        "{:<44} {:>9.1} {:>9.1} {:>18.1} {:>6.1}   {}",
+        "{:<44} {:>9.1} {:>9.1} {:>14.1} {:>6.1} {:>10.1} {:>5.2}   {}",
         format!("{scene}: {}", work.name()),
-        on_grid * 1e3,
-        on_devices * 1e3,
+        ours.on_grid * 1e3,
+        ours.on_devices * 1e3,
         fastest * 1e3,
-        fastest / on_grid,
+        fastest / ours.on_grid,
+        ours.on_one_thread * 1e3,
+        ours.on_one_thread / ours.on_grid,
         named.join(", ")
     );
 }
 
-/// Seconds for the work on integers, as KLayout does it, and from devices to a device, as gdstk and PHIDL do it.
-fn ours(devices: &[Device; 2], work: Work, threads: usize) -> anyhow::Result<(f64, f64)> {
+/// Our times (s).
+struct Ours {
+    /// On integers, as KLayout works.
+    on_grid: f64,
+    /// The same on one thread.
+    on_one_thread: f64,
+    /// From devices to a device, as gdstk and PHIDL work.
+    on_devices: f64,
+}
+
+fn ours(devices: &[Device; 2], work: Work, threads: usize) -> anyhow::Result<Ours> {
     let run = RunOptions { threads: Some(threads), ..RunOptions::default() };
     let options = Options { precision: PRECISION, max_points: None, run };
     let steps = grid::with_step(PRECISION)?;
     let [a, b] = devices;
     let contours: [Contours; 2] = [grid::snap_device(&steps, a, None)?, grid::snap_device(&steps, b, None)?];
-    let on_grid = best(|| match work {
-        Work::Boolean(operation, _) => grid::boolean(&contours[0], &contours[1], operation, &run),
-        Work::Offset(distance) => grid::offset(&contours[0], steps.scaled(distance), &Growth::default(), &run),
-    })?;
+    let on_grid = |run: &RunOptions| {
+        best(|| match work {
+            Work::Boolean(operation, _) => grid::boolean(&contours[0], &contours[1], operation, run),
+            Work::Offset(distance) => grid::offset(&contours[0], steps.scaled(distance), &Growth::default(), run),
+        })
+    };
     let on_devices = best(|| match work {
         Work::Boolean(operation, _) => phidl_boolean::boolean(a, b, operation, 3, &options),
         Work::Offset(distance) => phidl_boolean::offset(a, distance, &Growth::default(), 3, &options),
     })?;
-    Ok((on_grid, on_devices))
+    let one_thread = RunOptions { threads: Some(1), ..run };
+    Ok(Ours { on_grid: on_grid(&run)?, on_one_thread: on_grid(&one_thread)?, on_devices })
 }
 
 /// The shortest of a few times (s).

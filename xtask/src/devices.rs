@@ -1,8 +1,9 @@
 //! `cargo xtask devices`: the registry, readable.
 
-use phidl_core::param::Bounds;
+use phidl_core::param::{Bounds, Kind};
 use phidl_core::registry;
 use phidl_core::runtime::{Entry, ParamInfo};
+use serde_json::{Value as Json, json};
 
 use crate::flags::DevicesFlags;
 
@@ -11,10 +12,46 @@ pub(crate) fn run(flags: &DevicesFlags) -> anyhow::Result<()> {
     let filter = flags.filter.as_deref().unwrap_or_default();
     let entries: Vec<&Entry> = registry::all().filter(|entry| entry.name.contains(filter)).collect();
     anyhow::ensure!(!entries.is_empty(), "no device has a name that contains {filter:?}");
+    if flags.json {
+        println!("{:#}", to_json(&entries));
+        return Ok(());
+    }
     for entry in entries {
         println!("{}", describe(entry));
     }
     Ok(())
+}
+
+/// What other programs need to draw devices by name: parameters with kinds in words, words to choose from, bounds, units
+/// and defaults.
+pub(crate) fn to_json(entries: &[&Entry]) -> Json {
+    let devices = entries.iter().map(|entry| {
+        let params: Vec<Json> = entry.params().iter().map(param_to_json).collect();
+        json!({ "name": entry.name, "module": entry.module, "version": entry.version, "params": params })
+    });
+    devices.collect()
+}
+
+fn param_to_json(param: &ParamInfo) -> Json {
+    let Bounds { min, above, max, below } = param.bounds;
+    json!({
+        "name": param.name,
+        "kind": param.kind.to_string(),
+        "choices": choices(&param.kind),
+        "optional": matches!(param.kind, Kind::Optional(_)),
+        "required": param.default.is_none(),
+        "default": param.default,
+        "unit": param.unit,
+        "bounds": { "min": min, "above": above, "max": max, "below": below },
+    })
+}
+
+fn choices(kind: &Kind) -> Option<&'static [&'static str]> {
+    match kind {
+        Kind::Choice(words) => Some(words),
+        Kind::Optional(inner) => choices(inner),
+        _ => None,
+    }
 }
 
 /// Name, first paragraph of the docs, and a line for each parameter.

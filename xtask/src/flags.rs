@@ -30,12 +30,16 @@ pub(crate) enum Command {
     Boolean(BooleanFlags),
     /// Grows or shrinks a layer of a GDSII file.
     Offset(OffsetFlags),
+    /// Times shapes, paths, routes, cells and files beside PHIDL and gdstk.
+    Bench(BenchFlags),
     /// Times booleans and offsets beside KLayout, gdstk and PHIDL on the same files.
     Compare(CompareFlags),
     /// Measures a boolean against the number of divisions, beside KLayout, and draws the figure of it.
     Figure(FigureFlags),
     /// Opens the masks in KLayout, gdstk and gdspy, and checks booleans and offsets of random shapes against KLayout.
     Interop(InteropFlags),
+    /// Has PHIDL draw further reference results with random parameters, for the tests to run on.
+    Golden(GoldenFlags),
 }
 
 /// Flags of `mask`.
@@ -53,6 +57,9 @@ pub(crate) struct MaskFlags {
 pub(crate) struct DevicesFlags {
     /// Only devices whose name contains this.
     pub(crate) filter: Option<String>,
+    /// As JSON, for other programs.
+    #[arg(long)]
+    pub(crate) json: bool,
 }
 
 /// Flags of `device`.
@@ -164,6 +171,36 @@ pub(crate) enum JoinFlag {
     Round,
 }
 
+/// Flags of `bench`.
+#[derive(Debug, Args)]
+pub(crate) struct BenchFlags {
+    /// Which sections; without a name, all of them.
+    #[arg(value_enum)]
+    pub(crate) sections: Vec<BenchSection>,
+    /// Only shapes whose name contains this.
+    #[arg(long, value_name = "TEXT")]
+    pub(crate) filter: Option<String>,
+    /// The folder for files and the virtual environment.
+    #[arg(long, value_name = "DIR", default_value = "target/compare")]
+    pub(crate) out: PathBuf,
+}
+
+/// What is timed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum BenchSection {
+    Shapes,
+    Text,
+    Paths,
+    Routes,
+    Cells,
+    Files,
+}
+
+impl BenchSection {
+    /// All of them, in the order of the report.
+    pub(crate) const ALL: [Self; 6] = [Self::Shapes, Self::Text, Self::Paths, Self::Routes, Self::Cells, Self::Files];
+}
+
 /// Flags of `compare`.
 #[derive(Debug, Args)]
 pub(crate) struct CompareFlags {
@@ -209,4 +246,24 @@ pub(crate) struct InteropFlags {
     /// The folder for scenes and the virtual environment.
     #[arg(long, value_name = "DIR", default_value = "target/compare")]
     pub(crate) out: PathBuf,
+}
+
+/// Flags of `golden`.
+#[derive(Debug, Args)]
+pub(crate) struct GoldenFlags {
+    /// What the random parameters are drawn from; the same seed gives the same cases.
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub(crate) seed: u64,
+    /// Cases of each shape; some more of paths, routes and placement.
+    #[arg(long, value_name = "N", default_value_t = 12)]
+    pub(crate) count: usize,
+    /// Draws the cases of this folder once more instead.
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["seed", "count"])]
+    pub(crate) redraw: Option<PathBuf>,
+    /// The folder that gets the results; run the tests with PHIDL_GOLDEN set to it.
+    #[arg(long, value_name = "DIR", default_value = "target/golden")]
+    pub(crate) out: PathBuf,
+    /// The folder for the virtual environments.
+    #[arg(long, value_name = "DIR", default_value = "target/compare")]
+    pub(crate) peers: PathBuf,
 }

@@ -3,6 +3,7 @@
 //! This file only dispatches; the work is in the libraries, where it can be tested.
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "commands talk to whoever typed them")]
 
+mod bench;
 mod boolean;
 mod compare;
 mod demo;
@@ -11,6 +12,7 @@ mod devices;
 mod figure;
 mod flags;
 mod gallery;
+mod golden;
 mod interop;
 mod layer_file;
 mod mask;
@@ -34,9 +36,11 @@ fn main() -> ExitCode {
         Command::Gallery(flags) => gallery::run(&flags),
         Command::Boolean(flags) => boolean::run(&flags),
         Command::Offset(flags) => offset::run(&flags),
+        Command::Bench(flags) => bench::run(&flags),
         Command::Compare(flags) => compare::run(&flags),
         Command::Figure(flags) => figure::run(&flags),
         Command::Interop(flags) => interop::run(&flags),
+        Command::Golden(flags) => golden::run(&flags),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

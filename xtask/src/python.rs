@@ -6,7 +6,18 @@ use std::process::Command;
 use anyhow::{Context, ensure};
 
 /// The tools, in the releases that figures and agreement are stated for.
-const PEERS: [&str; 4] = ["klayout==0.30.12", "gdstk==1.0.2", "gdspy==1.6.13", "phidl==1.7.2"];
+///
+/// PHIDL needs the last four for some of its shapes, and does not ask for them.
+const PEERS: [&str; 8] = [
+    "klayout==0.30.12",
+    "gdstk==1.0.2",
+    "gdspy==1.6.13",
+    "phidl==1.7.2",
+    "scipy==1.17.1",
+    "rectpack==0.2.2",
+    "freetype-py==2.5.1",
+    "scikit-image==0.26.0",
+];
 
 /// A Python that has the tools.
 pub(crate) struct Python {
@@ -14,22 +25,27 @@ pub(crate) struct Python {
 }
 
 impl Python {
+    /// The environment of the peers in a folder, as by [`Python::with`].
+    pub(crate) fn with_peers(folder: &Path) -> anyhow::Result<Option<Self>> {
+        Self::with(folder, &PEERS)
+    }
+
     /// The environment in a folder; made and filled if it is not there. `None` if there is no Python, or no way to the
     /// packages: then there is nothing to compare with, and a line says so.
-    pub(crate) fn with_peers(folder: &Path) -> anyhow::Result<Option<Self>> {
+    pub(crate) fn with(folder: &Path, packages: &[&str]) -> anyhow::Result<Option<Self>> {
         let program = folder.join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" });
         let mark = folder.join("installed");
-        let wanted = PEERS.join("\n");
+        let wanted = packages.join("\n");
         if std::fs::read_to_string(&mark).is_ok_and(|installed| installed == wanted) {
             return Ok(Some(Self { program }));
         }
-        println!("installing {} into {}", PEERS.join(", "), folder.display());
+        println!("installing {} into {}", packages.join(", "), folder.display());
         let made = Command::new("python3").args(["-m", "venv"]).arg(folder).status();
         if !made.is_ok_and(|status| status.success()) {
             println!("skipped: there is no python3 that can make a virtual environment");
             return Ok(None);
         }
-        let filled = Command::new(&program).args(["-m", "pip", "install", "--quiet"]).args(PEERS).status();
+        let filled = Command::new(&program).args(["-m", "pip", "install", "--quiet"]).args(packages).status();
         if !filled.is_ok_and(|status| status.success()) {
             println!("skipped: the packages cannot be installed");
             return Ok(None);

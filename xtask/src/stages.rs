@@ -12,12 +12,21 @@ const FEW_VERTICES: usize = 100_000;
 /// The stages of a command.
 pub(crate) struct Stages {
     progress: Progress,
-    done: Vec<(&'static str, Duration)>,
+    done: Vec<Stage>,
+}
+
+struct Stage {
+    name: &'static str,
+    time: Duration,
+    /// The most memory that the process has had up to its end (bytes), where the system tells.
+    memory: Option<usize>,
 }
 
 impl Stages {
     pub(crate) fn new() -> Self {
-        Self { progress: Progress::new(), done: Vec::new() }
+        // What the process has before any work is no memory of the work.
+        let start = Stage { name: "start", time: Duration::ZERO, memory: peak_memory() };
+        Self { progress: Progress::new(), done: vec![start] }
     }
 
     /// A watch that shows how far a stage has come.
@@ -26,34 +35,32 @@ impl Stages {
         Watch::with_report(move |progress| part(progress.done, progress.total))
     }
 
-    /// Runs a stage and keeps its time.
+    /// Runs a stage and keeps what it took.
     pub(crate) fn run<T>(&mut self, name: &'static str, work: impl FnOnce() -> T) -> T {
         self.progress.step(name);
         let start = Instant::now();
         let result = work();
-        self.done.push((name, start.elapsed()));
+        self.done.push(Stage { name, time: start.elapsed(), memory: peak_memory() });
         result
     }
 
-    /// Prints the time of each stage and the peak of memory; per vertex, for so many vertices.
+    /// Prints the time of each stage and the peak of memory up to its end; per vertex, for so many vertices.
     pub(crate) fn print(self, vertices: usize) {
-        let Self { progress, done } = self;
+        let Self { progress, mut done } = self;
         drop(progress);
-        let total: Duration = done.iter().map(|(_, time)| *time).sum();
-        for (name, time) in done.into_iter().chain([("total", total)]) {
-            println!("{name:<10} {:>9.3} s", time.as_secs_f64());
+        let time = done.iter().map(|stage| stage.time).sum();
+        done.push(Stage { name: "total", time, memory: peak_memory() });
+        for Stage { name, time, memory } in done {
+            let memory = memory.map_or("memory unknown on this system".to_owned(), |bytes| told(bytes, vertices));
+            println!("{name:<10} {:>9.3} s  {memory}", time.as_secs_f64());
         }
-        println!(
-            "memory     {}",
-            peak_memory().map_or("  unknown on this system".to_owned(), |peak| told(peak, vertices))
-        );
     }
 }
 
 /// A peak of memory in words; small work says nothing about the memory per vertex.
 fn told(bytes: usize, vertices: usize) -> String {
-    let peak = format!("{:>9.1} MB at its peak", bytes as f64 / 1e6);
-    if vertices < FEW_VERTICES { peak } else { format!("{peak}, {} bytes per vertex read", bytes / vertices) }
+    let peak = format!("{:>9.1} MB", bytes as f64 / 1e6);
+    if vertices < FEW_VERTICES { peak } else { format!("{peak}, {:>4} bytes per vertex read", bytes / vertices) }
 }
 
 /// The most memory that the process has had (bytes), where the system tells.

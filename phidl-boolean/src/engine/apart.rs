@@ -22,8 +22,8 @@ pub(super) fn fill_apart(mut pieces: Vec<(u32, Edge)>, scene: &Scene) -> Vec<Edg
         .into_par_iter()
         .map(|own| {
             let operand = scene.operand_of(own[0].0);
-            let pieces = own.iter().map(|&(_, piece)| piece).collect();
-            sweep::boundary(pieces, operand, rule)
+            let pieces: Vec<Edge> = own.iter().map(|&(_, piece)| piece).collect();
+            sweep::boundary(&pieces, operand, rule)
         })
         .collect();
     filled.concat()

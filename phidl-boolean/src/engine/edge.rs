@@ -57,8 +57,8 @@ impl Scene {
         }
         let first_contours = operands[0].contours().len();
         let mut scene = Self {
-            edges: Vec::with_capacity(bound - free.outlines.point_count().min(bound)),
-            contour_of: Vec::with_capacity(bound - free.outlines.point_count().min(bound)),
+            edges: Vec::with_capacity(bound - free.point_count().min(bound)),
+            contour_of: Vec::with_capacity(bound - free.point_count().min(bound)),
             first_contours,
             drawn: operands.map(|operand| matches!(operand, Operand::Drawn(_))),
         };

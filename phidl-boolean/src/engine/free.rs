@@ -8,6 +8,8 @@
 //! Which contours are free is only a matter of speed: the result is the same, point for point, whatever is found here.
 //! That is why the search may give up on crowded places and on contours with many corners.
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 
 use super::{Operand, plain::plain_outline, raster::untouched};
@@ -19,13 +21,23 @@ use crate::{
 /// Contours handled by one parallel job.
 const CONTOURS_PER_JOB: usize = 256;
 
-/// The free contours of both operands.
+/// The free contours of both operands; their outlines are numbered in the order of their leftmost points.
 pub(super) struct Free {
     /// Whether each contour is free; those of the second operand count on from the first.
     is_free: Vec<bool>,
-    /// The free contours, cleaned, counter-clockwise, each from its leftmost point on; in the order of those points.
-    pub(super) outlines: Contours,
-    /// Operand of each outline, and how much the winding number grows on the way into it.
+    /// The free contours, cleaned, counter-clockwise, each from its leftmost point on; in the order of the contours.
+    outlines: Contours,
+    /// Operand of each of them, and how much the winding number grows on the way into it.
+    steps: Vec<(usize, i32)>,
+    /// The leftmost point of each outline, ascending, and its place in `outlines`.
+    order: Vec<(GridPoint, u32)>,
+}
+
+/// What one job found: free contours by number, like [`Free`].
+#[derive(Default)]
+struct Found {
+    numbers: Vec<usize>,
+    outlines: Contours,
     steps: Vec<(usize, i32)>,
 }
 
@@ -35,40 +47,48 @@ impl Free {
             (0..2).flat_map(|index| operands[index].contours().iter().map(move |points| (points, index))).collect();
         let mut is_free = untouched(&contours);
         let jobs: Vec<usize> = (0..contours.len()).step_by(CONTOURS_PER_JOB).collect();
-        let parts: Vec<Vec<(u32, Vec<GridPoint>)>> = jobs
+        let found: Vec<Found> = jobs
             .into_par_iter()
             .map(|start| {
-                let range = start..(start + CONTOURS_PER_JOB).min(contours.len());
-                let plain = |contour: usize| {
-                    #[expect(clippy::cast_possible_truncation, reason = "contours are fewer than MAX_EDGES")]
-                    plain_outline(contours[contour].0).map(|outline| (contour as u32, outline))
-                };
-                range.filter(|&contour| is_free[contour]).filter_map(plain).collect()
+                let (mut found, mut corners) = (Found::default(), Vec::new());
+                for number in (start..(start + CONTOURS_PER_JOB).min(contours.len())).filter(|&n| is_free[n]) {
+                    let (points, operand) = contours[number];
+                    if plain_outline(points, &mut corners) {
+                        found.numbers.push(number);
+                        found.outlines.push(corners.iter().copied());
+                        found.steps.push((operand, winding_step(operands[operand], points)));
+                    }
+                }
+                found
             })
             .collect();
-        let mut plain: Vec<(u32, Vec<GridPoint>)> = parts.concat();
-        plain.par_sort_unstable_by_key(|(_, outline)| outline[0]);
 
         is_free.fill(false);
-        let mut free = Self {
-            is_free,
-            outlines: Contours::with_capacity(plain.len(), plain.iter().map(|(_, outline)| outline.len()).sum()),
-            steps: Vec::with_capacity(plain.len()),
-        };
-        for (contour, outline) in plain {
-            let (points, operand) = contours[contour as usize];
-            free.is_free[contour as usize] = true;
-            free.outlines.push(outline);
-            free.steps.push((operand, winding_step(operands[operand], points)));
-        }
+        let count = |of: fn(&Contours) -> usize| found.iter().map(|part| of(&part.outlines)).sum();
+        let outlines = Contours::with_capacity(count(Contours::len), count(Contours::point_count));
+        let mut free = Self { is_free, outlines, steps: Vec::new(), order: Vec::new() };
+        found.into_iter().for_each(|part| free.append(part));
+        free.put_in_order();
         free
+    }
+
+    fn append(&mut self, part: Found) {
+        part.numbers.into_iter().for_each(|number| self.is_free[number] = true);
+        self.outlines.append(&part.outlines);
+        self.steps.extend(part.steps);
+    }
+
+    fn put_in_order(&mut self) {
+        let begins = self.outlines.iter().zip(0u32..);
+        self.order = begins.filter_map(|(outline, place)| Some((*outline.first()?, place))).collect();
+        self.order.par_sort_unstable();
     }
 
     /// No contour at all, for comparing.
     #[cfg(test)]
     pub(super) fn none(operands: &[Operand; 2]) -> Self {
         let contours = operands.iter().map(|operand| operand.contours().len()).sum();
-        Self { is_free: vec![false; contours], outlines: Contours::new(), steps: Vec::new() }
+        Self { is_free: vec![false; contours], outlines: Contours::new(), steps: Vec::new(), order: Vec::new() }
     }
 
     /// Whether a contour is free.
@@ -78,28 +98,35 @@ impl Free {
 
     /// The winding numbers inside an outline whose surroundings have the given ones.
     pub(super) fn inside(&self, outline: usize, mut outside: [i32; 2]) -> [i32; 2] {
-        let (operand, step) = self.steps[outline];
+        let (operand, step) = self.steps[self.order[outline].1 as usize];
         outside[operand] += step;
         outside
     }
 
+    /// Number of outlines.
+    pub(super) fn len(&self) -> usize {
+        self.order.len()
+    }
+
     /// The outlines that begin in some grid columns, by number.
-    pub(super) fn in_columns(&self, (first, last): (i64, i64)) -> std::ops::Range<usize> {
-        let begins_before = |x: i64, including: bool| {
-            let (mut low, mut high) = (0, self.outlines.len());
-            while low < high {
-                let middle = low.midpoint(high);
-                let at = self.begin(middle).x;
-                if at < x || (including && at == x) { low = middle + 1 } else { high = middle }
-            }
-            low
-        };
-        begins_before(first, false)..begins_before(last, true)
+    pub(super) fn in_columns(&self, (first, last): (i64, i64)) -> Range<usize> {
+        let before = self.order.partition_point(|(begin, _)| begin.x < first);
+        before..self.order.partition_point(|(begin, _)| begin.x <= last)
     }
 
     /// The leftmost point of an outline.
     pub(super) fn begin(&self, outline: usize) -> GridPoint {
-        self.outlines.get(outline).and_then(|points| points.first().copied()).unwrap_or_default()
+        self.order[outline].0
+    }
+
+    /// The points of an outline.
+    pub(super) fn outline(&self, outline: usize) -> &[GridPoint] {
+        self.outlines.get(self.order[outline].1 as usize).unwrap_or_default()
+    }
+
+    /// Number of points of all outlines together.
+    pub(super) fn point_count(&self) -> usize {
+        self.outlines.point_count()
     }
 }
 

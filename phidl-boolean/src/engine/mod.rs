@@ -35,8 +35,10 @@
 
 mod active;
 mod apart;
+mod bands;
 mod edge;
 mod free;
+mod order;
 mod plain;
 mod plan;
 mod raster;
@@ -238,7 +240,7 @@ mod tests {
         let bar = [(248, -9), (252, -9), (252, 509), (248, 509)].map(GridPoint::from);
         let cross: Contours = [bar.to_vec()].into_iter().collect();
         let free = Free::find(&[Operand::Drawn(&field), Operand::Drawn(&cross)]);
-        assert_eq!(free.outlines.len(), 49 * 50);
+        assert_eq!(free.len(), 49 * 50);
         let rule = Rule { operation: Operation::Not, fill: Fill::NonZero };
         let rest = run([Operand::Drawn(&field), Operand::Drawn(&cross)], rule, &RunOptions::default()).unwrap();
         assert_eq!(rest.area2(), 2 * (25 * 2500 - 50 * 2 * 5));

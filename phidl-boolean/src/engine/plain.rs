@@ -13,25 +13,41 @@ use crate::point::{GridPoint, cross, side};
 /// Outlines with more corners than this are only looked at if they are convex.
 const MOST_PAIRWISE: usize = 40;
 
-/// The corners of a plain contour, counter-clockwise from its leftmost (then lowest) point; `None` if it is not plain,
-/// encloses nothing, or is too much work to look at.
-pub(super) fn plain_outline(contour: &[GridPoint]) -> Option<Vec<GridPoint>> {
-    let mut corners = real_corners(contour)?;
-    let first = (0..corners.len()).min_by_key(|&corner| corners[corner])?;
+/// Finds the corners of a plain contour, counter-clockwise from its leftmost (then lowest) point; false if it is not
+/// plain, encloses nothing, or is too much work to look at. What was in `corners` before is lost.
+pub(super) fn plain_outline(contour: &[GridPoint], corners: &mut Vec<GridPoint>) -> bool {
+    corners.clear();
+    if let Some((low, high)) = upright_rectangle(contour) {
+        corners.extend([low, GridPoint::new(high.x, low.y), high, GridPoint::new(low.x, high.y)]);
+        return true;
+    }
+    if !find_real_corners(contour, corners) {
+        return false;
+    }
+    let first = (0..corners.len()).min_by_key(|&corner| corners[corner]).unwrap_or(0);
     corners.rotate_left(first);
     // At the leftmost point, an outline turns the way it runs.
     if side(corners[corners.len() - 1], corners[0], corners[1]).is_lt() {
         corners[1..].reverse();
     }
-    let plain = (is_convex(&corners) && is_wide(&corners)) || is_plain_by_pairs(&corners);
-    plain.then_some(corners)
+    (is_convex(corners) && is_wide(corners)) || is_plain_by_pairs(corners)
 }
 
-/// The contour without repeated points and points on straight edges; `None` if it doubles back or has no area.
-fn real_corners(contour: &[GridPoint]) -> Option<Vec<GridPoint>> {
-    let mut corners: Vec<GridPoint> = Vec::with_capacity(contour.len());
-    for &point in contour {
-        push(&mut corners, point)?;
+/// The lower left and the upper right corner of a contour that is an upright rectangle, as most shapes of layouts are.
+fn upright_rectangle(contour: &[GridPoint]) -> Option<(GridPoint, GridPoint)> {
+    let &[a, b, c, d] = contour else { return None };
+    let begins_along_x = a.y == b.y && b.x == c.x && c.y == d.y && d.x == a.x;
+    let begins_along_y = a.x == b.x && b.y == c.y && c.x == d.x && d.y == a.y;
+    let encloses_something = a.x != c.x && a.y != c.y;
+    let corner = |pick: fn(i64, i64) -> i64| GridPoint::new(pick(a.x, c.x), pick(a.y, c.y));
+    ((begins_along_x || begins_along_y) && encloses_something).then(|| (corner(i64::min), corner(i64::max)))
+}
+
+/// Finds the points of a contour without repeated ones and those on straight edges; false if it doubles back or has no
+/// area.
+fn find_real_corners(contour: &[GridPoint], corners: &mut Vec<GridPoint>) -> bool {
+    if !contour.iter().all(|&point| push(corners, point)) {
+        return false;
     }
     // The seam between end and beginning, from both sides.
     while corners.len() > 2 && corners.last() == corners.first() {
@@ -41,32 +57,33 @@ fn real_corners(contour: &[GridPoint]) -> Option<Vec<GridPoint>> {
         match straightness(a, b, first) {
             Straightness::Corner => break,
             Straightness::Straight => corners.pop(),
-            Straightness::Back => return None,
+            Straightness::Back => return false,
         };
     }
     while let [a, b, .., last] = corners[..] {
         match straightness(last, a, b) {
             Straightness::Corner => break,
             Straightness::Straight => corners.remove(0),
-            Straightness::Back => return None,
+            Straightness::Back => return false,
         };
     }
-    (corners.len() >= 3).then_some(corners)
+    corners.len() >= 3
 }
 
-fn push(corners: &mut Vec<GridPoint>, point: GridPoint) -> Option<()> {
+/// Adds a point; false if the contour doubles back.
+fn push(corners: &mut Vec<GridPoint>, point: GridPoint) -> bool {
     if corners.last() == Some(&point) {
-        return Some(());
+        return true;
     }
     if let [.., a, b] = corners[..] {
         match straightness(a, b, point) {
             Straightness::Corner => {}
             Straightness::Straight => drop(corners.pop()),
-            Straightness::Back => return None,
+            Straightness::Back => return false,
         }
     }
     corners.push(point);
-    Some(())
+    true
 }
 
 enum Straightness {
@@ -131,13 +148,15 @@ mod tests {
 
     fn plain(points: &[(i64, i64)]) -> Option<Vec<(i64, i64)>> {
         let points: Vec<GridPoint> = points.iter().copied().map(GridPoint::from).collect();
-        Some(plain_outline(&points)?.into_iter().map(|p| (p.x, p.y)).collect())
+        let mut corners = Vec::new();
+        plain_outline(&points, &mut corners).then(|| corners.iter().map(|p| (p.x, p.y)).collect())
     }
 
     #[test]
     fn outlines_are_cleaned_turned_and_begun_at_their_leftmost_point() {
         let square = vec![(0, 0), (10, 0), (10, 10), (0, 10)];
         assert_eq!(plain(&[(10, 10), (10, 5), (10, 0), (5, 0), (0, 0), (0, 0), (0, 10), (10, 10)]), Some(square));
+        assert_eq!(plain(&[(10, 5), (10, 0), (0, 0), (0, 5)]), Some(vec![(0, 0), (10, 0), (10, 5), (0, 5)]));
         let arrow = [(0, 0), (20, 10), (0, 20), (8, 10)];
         assert_eq!(plain(&arrow), Some(arrow.to_vec()));
         let mut clockwise = arrow;
@@ -153,6 +172,7 @@ mod tests {
         assert_eq!(plain(&[(0, 0), (1000, 1), (500, 1)]), None, "thinner than a step");
         assert_eq!(plain(&[(0, 0), (10, 5), (20, 0), (20, 10), (10, 5), (0, 10)]), None, "a corner on a corner");
         assert_eq!(plain(&[(0, 0), (5, 5), (9, 9)]), None, "no area");
+        assert_eq!(plain(&[(0, 0), (5, 0), (5, 0), (0, 0)]), None, "an upright rectangle of no height");
         let pentagram = [(0, 20), (60, 20), (10, 60), (30, 0), (50, 60)];
         assert_eq!(plain(&pentagram), None, "it turns left everywhere, but twice around");
     }

@@ -22,6 +22,9 @@ const ENTRIES_PER_EDGE: usize = 4;
 /// Sides of the raster are at most this many cells.
 const MOST_COLUMNS: f64 = 4096.0;
 
+/// Cells compared by one parallel job at least.
+const CELLS_PER_JOB: usize = 1024;
+
 /// A box on the grid, its borders included.
 #[derive(Debug, Clone, Copy)]
 struct Box2 {
@@ -59,13 +62,15 @@ impl Box2 {
 #[derive(Clone, Copy)]
 struct Item {
     bounds: Box2,
+    cells: Cells,
     contour: u32,
     is_small: bool,
 }
 
 /// Whether each contour is known to have no edge of another one in its box.
 pub(super) fn untouched<T: Sync>(contours: &[(&[GridPoint], T)]) -> Vec<bool> {
-    let boxes: Vec<Box2> = contours.par_iter().map(|(points, _)| Box2::around(points)).collect();
+    let boxes: Vec<Box2> =
+        contours.par_iter().with_min_len(CELLS_PER_JOB).map(|(points, _)| Box2::around(points)).collect();
     let whole = boxes.iter().fold(Box2::NOWHERE, |all, &b| all.joined(b));
     if whole.is_empty() {
         return vec![false; contours.len()];
@@ -74,11 +79,13 @@ pub(super) fn untouched<T: Sync>(contours: &[(&[GridPoint], T)]) -> Vec<bool> {
     let mut items = Vec::with_capacity(contours.len());
     let mut is_small = vec![false; contours.len()];
     for (contour, ((points, _), &bounds)) in (0u32..).zip(contours.iter().zip(&boxes)) {
-        is_small[contour as usize] = !bounds.is_empty() && raster.cells(bounds).count() <= MOST_CELLS;
+        let cells = raster.cells(bounds);
+        is_small[contour as usize] = !bounds.is_empty() && cells.count() <= MOST_CELLS;
         if is_small[contour as usize] {
-            items.push(Item { bounds, contour, is_small: true });
+            items.push(Item { bounds, cells, contour, is_small: true });
         } else {
-            items.extend(edge_boxes(points).map(|bounds| Item { bounds, contour, is_small: false }));
+            let item = |bounds| Item { bounds, cells: raster.cells(bounds), contour, is_small: false };
+            items.extend(edge_boxes(points).map(item));
         }
     }
     let most = ENTRIES_PER_EDGE * contours.iter().map(|(points, _)| points.len()).sum::<usize>().max(MOST_CELLS);
@@ -118,8 +125,8 @@ fn compare(cell: &[u32], items: &[Item], touched: &[AtomicBool]) {
 /// The raster over the box of everything.
 struct Raster {
     low: GridPoint,
-    /// Grid steps of a cell, at least 1.
-    pitch: (i64, i64),
+    /// Cells per grid step.
+    scale: (f64, f64),
     columns: usize,
     rows: usize,
 }
@@ -137,38 +144,55 @@ impl Raster {
         let side = (width * height / contours as f64).sqrt().max(1.0);
         let count = |length: f64| (length / side).ceil().clamp(1.0, MOST_COLUMNS);
         let (columns, rows) = (count(width), count(height));
-        let pitch = ((width / columns).ceil() as i64, (height / rows).ceil() as i64);
-        Self { low: whole.low, pitch, columns: columns as usize, rows: rows as usize }
+        let scale = (columns / width, rows / height);
+        Self { low: whole.low, scale, columns: columns as usize, rows: rows as usize }
     }
 
     fn cells(&self, bounds: Box2) -> Cells {
-        let column = |x: i64| usize::try_from((x - self.low.x) / self.pitch.0).unwrap_or(0).min(self.columns - 1);
-        let row = |y: i64| usize::try_from((y - self.low.y) / self.pitch.1).unwrap_or(0).min(self.rows - 1);
-        Cells {
-            columns: (column(bounds.low.x), column(bounds.high.x)),
-            rows: (row(bounds.low.y), row(bounds.high.y)),
-            stride: self.rows,
+        if bounds.is_empty() {
+            return Cells { columns: (0, 0), rows: (0, 0) };
         }
+        let (low, high) = (bounds.low, bounds.high);
+        Cells { columns: (self.column(low.x), self.column(high.x)), rows: (self.row(low.y), self.row(high.y)) }
+    }
+
+    fn column(&self, x: i64) -> u16 {
+        place(x - self.low.x, self.scale.0, self.columns)
+    }
+
+    fn row(&self, y: i64) -> u16 {
+        place(y - self.low.y, self.scale.1, self.rows)
     }
 }
 
-/// The cells that a box touches.
+/// The column or row in which an offset from the lower left corner lies; later offsets never lie in earlier ones.
+#[expect(
+    clippy::cast_precision_loss,
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "offsets are exact in an f64, and a raster has at most 4096 columns and rows"
+)]
+fn place(offset: i64, scale: f64, count: usize) -> u16 {
+    ((offset as f64 * scale) as u16).min(count as u16 - 1)
+}
+
+/// The cells that a box touches: first and last column, first and last row.
 #[derive(Clone, Copy)]
 struct Cells {
-    columns: (usize, usize),
-    rows: (usize, usize),
-    stride: usize,
+    columns: (u16, u16),
+    rows: (u16, u16),
 }
 
 impl Cells {
     fn count(self) -> usize {
-        (self.columns.1 - self.columns.0 + 1) * (self.rows.1 - self.rows.0 + 1)
+        usize::from(self.columns.1 - self.columns.0 + 1) * usize::from(self.rows.1 - self.rows.0 + 1)
     }
 
-    fn for_each(self, mut visit: impl FnMut(usize)) {
+    /// Cell numbers in a raster of so many rows.
+    fn for_each(self, rows: usize, mut visit: impl FnMut(usize)) {
         for column in self.columns.0..=self.columns.1 {
             for row in self.rows.0..=self.rows.1 {
-                visit(column * self.stride + row);
+                visit(usize::from(column) * rows + usize::from(row));
             }
         }
     }
@@ -183,13 +207,13 @@ struct Entries {
 impl Entries {
     /// `None` if there would be more than `most`.
     fn new(raster: &Raster, items: &[Item], most: usize) -> Option<Self> {
-        let total: usize = items.par_iter().map(|item| raster.cells(item.bounds).count()).sum();
+        let total: usize = items.iter().map(|item| item.cells.count()).sum();
         if total > most || u32::try_from(total).is_err() {
             return None;
         }
         let mut starts = vec![0; raster.columns * raster.rows + 1];
         for item in items {
-            raster.cells(item.bounds).for_each(|cell| starts[cell] += 1);
+            item.cells.for_each(raster.rows, |cell| starts[cell] += 1);
         }
         let mut sum = 0;
         for start in &mut starts {
@@ -198,7 +222,7 @@ impl Entries {
         }
         let mut entries = vec![0; total];
         for (number, item) in (0u32..).zip(items) {
-            raster.cells(item.bounds).for_each(|cell| {
+            item.cells.for_each(raster.rows, |cell| {
                 starts[cell] -= 1;
                 entries[starts[cell] as usize] = number;
             });
@@ -207,7 +231,10 @@ impl Entries {
     }
 
     fn cells(&self) -> impl ParallelIterator<Item = &[u32]> {
-        self.starts.par_windows(2).map(|range| &self.items[range[0] as usize..range[1] as usize])
+        self.starts
+            .par_windows(2)
+            .with_min_len(CELLS_PER_JOB)
+            .map(|range| &self.items[range[0] as usize..range[1] as usize])
     }
 }
 

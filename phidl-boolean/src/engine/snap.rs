@@ -7,6 +7,7 @@
 use std::cmp::Ordering;
 
 use super::{
+    bands::Bands,
     edge::{Edge, Scene},
     plan::StripPlan,
 };
@@ -53,12 +54,10 @@ pub(super) fn snap_strip(scene: &Scene, plan: &StripPlan, strip: usize, apart: &
     let columns = plan.columns(strip);
     let mut snapper =
         Snapper { scene, seen, edges: &edges, columns, bends: Vec::new(), crossings: Vec::new(), touching: Vec::new() };
-    let boxes = Boxes::new(&edges, columns);
-    boxes.for_each_pair(|a, b| snapper.meet(a, b));
-    snapper.crossings.sort_unstable_by_key(|&p| boxes.axis.of(p));
-    snapper.crossings.dedup();
+    let bands = Bands::new(&edges, columns);
+    bands.for_each_pair(|a, b| snapper.meet(a, b));
     let crossings = std::mem::take(&mut snapper.crossings);
-    boxes.for_each_point(&crossings, |edge, point| snapper.pass(edge, point));
+    bands.for_each_point(&crossings, |edge, point| snapper.pass(edge, point));
     snapper.finish(apart)
 }
 
@@ -113,16 +112,15 @@ impl Snapper<'_> {
     /// A bend of `edge` at `p` if it passes the square of `p`; `d` is `edge.cross(p)`.
     #[inline]
     fn pass_vertex(&mut self, edge: u32, e: &Edge, p: GridPoint, d: i128) {
-        if in_box(e, p) && passes(e, d) {
+        // Few points are as near as this, so the box is looked at last.
+        if passes(e, d) && in_box(e, p) {
             self.bend(edge, e, p);
         }
     }
 
     fn pass(&mut self, edge: u32, p: GridPoint) {
         let e = self.edges[edge as usize];
-        if passes(&e, e.cross(p)) {
-            self.bend(edge, &e, p);
-        }
+        self.pass_vertex(edge, &e, p, e.cross(p));
     }
 
     fn cross(&mut self, a: u32, b: u32, p: GridPoint) {
@@ -233,107 +231,6 @@ impl Along {
         }
         bends
     }
-}
-
-/// Boxes of edges, sorted along the axis on which they overlap least.
-struct Boxes {
-    boxes: Vec<EdgeBox>,
-    axis: Axis,
-}
-
-#[derive(Clone, Copy)]
-struct EdgeBox {
-    low: i64,
-    high: i64,
-    side_low: i64,
-    side_high: i64,
-    edge: u32,
-}
-
-#[derive(Clone, Copy, PartialEq)]
-enum Axis {
-    X,
-    Y,
-}
-
-impl Axis {
-    /// Coordinate along the axis, then across it.
-    fn of(self, p: GridPoint) -> (i64, i64) {
-        match self {
-            Self::X => (p.x, p.y),
-            Self::Y => (p.y, p.x),
-        }
-    }
-}
-
-impl Boxes {
-    fn new(edges: &[Edge], columns: (i64, i64)) -> Self {
-        let axis = better_axis(edges, columns);
-        let mut boxes: Vec<EdgeBox> = (0u32..).zip(edges).map(|(edge, e)| EdgeBox::new(edge, e, axis)).collect();
-        boxes.sort_unstable_by_key(|b| (b.low, b.edge));
-        Self { boxes, axis }
-    }
-
-    fn for_each_pair(&self, mut meet: impl FnMut(u32, u32)) {
-        for (index, a) in self.boxes.iter().enumerate() {
-            for b in &self.boxes[index + 1..] {
-                if b.low > a.high {
-                    break;
-                }
-                if b.side_low <= a.side_high && b.side_high >= a.side_low {
-                    meet(a.edge, b.edge);
-                }
-            }
-        }
-    }
-
-    /// Calls `pass` for each edge and each of the points (sorted along the axis) in its box.
-    fn for_each_point(&self, points: &[GridPoint], mut pass: impl FnMut(u32, GridPoint)) {
-        let mut first = 0;
-        for b in &self.boxes {
-            while first < points.len() && self.axis.of(points[first]).0 < b.low {
-                first += 1;
-            }
-            for &point in &points[first..] {
-                let (along, across) = self.axis.of(point);
-                if along > b.high {
-                    break;
-                }
-                if across >= b.side_low && across <= b.side_high {
-                    pass(b.edge, point);
-                }
-            }
-        }
-    }
-}
-
-impl EdgeBox {
-    fn new(edge: u32, e: &Edge, axis: Axis) -> Self {
-        let (y_low, y_high) = (e.l.y.min(e.r.y), e.l.y.max(e.r.y));
-        match axis {
-            Axis::X => Self { low: e.l.x, high: e.r.x, side_low: y_low, side_high: y_high, edge },
-            Axis::Y => Self { low: y_low, high: y_high, side_low: e.l.x, side_high: e.r.x, edge },
-        }
-    }
-}
-
-/// Compares how much of the strip the edges cover along each axis; the result only decides how fast we are.
-#[expect(clippy::cast_precision_loss, reason = "an estimate")]
-fn better_axis(edges: &[Edge], columns: (i64, i64)) -> Axis {
-    let Some(first) = edges.first() else { return Axis::Y };
-    let mut x_range = (first.l.x, first.l.x);
-    let mut y_range = (first.l.y, first.l.y);
-    let mut covered = (0.0, 0.0);
-    for e in edges {
-        let (l, r) = (e.l.x.max(columns.0), e.r.x.min(columns.1));
-        let (low, high) = (e.l.y.min(e.r.y), e.l.y.max(e.r.y));
-        x_range = (x_range.0.min(l), x_range.1.max(r));
-        y_range = (y_range.0.min(low), y_range.1.max(high));
-        covered = (covered.0 + (r - l).max(0) as f64, covered.1 + (high - low) as f64);
-    }
-    let x = covered.0 / ((x_range.1 - x_range.0).max(1) as f64);
-    let y = covered.1 / ((y_range.1 - y_range.0).max(1) as f64);
-    if x < y { Axis::X } else { Axis::Y }
 }
 
 #[inline]

@@ -46,8 +46,10 @@ impl Spans {
         }
         fill_apart(kept_apart, scene).into_iter().for_each(|piece| route(piece, strips));
         spans.sort_unstable_by_key(|span: &Edge| (span.l, span.r));
-        merge_coinciding(&mut spans);
-        Self::with_pieces(spans, plan)
+        let mut merged = Vec::with_capacity(spans.len());
+        spans.into_iter().for_each(|span| push_merged(&mut merged, span));
+        drop_last_cancelled(&mut merged);
+        Self::with_pieces(merged, plan)
     }
 
     pub(super) fn len(&self) -> usize {
@@ -92,15 +94,23 @@ impl Spans {
     }
 }
 
-/// Makes one edge of each run of coinciding ones, and none where their windings cancel.
-pub(super) fn merge_coinciding(edges: &mut Vec<Edge>) {
-    edges.dedup_by(|later, first| {
-        let same = first.coincides(later);
-        if same {
-            first.delta[0] += later.delta[0];
-            first.delta[1] += later.delta[1];
+/// Adds an edge to a sorted list, or its winding to the last one if the two coincide; nothing stays where windings cancel.
+pub(super) fn push_merged(edges: &mut Vec<Edge>, edge: Edge) {
+    match edges.last_mut() {
+        Some(last) if last.coincides(&edge) => {
+            last.delta[0] += edge.delta[0];
+            last.delta[1] += edge.delta[1];
         }
-        same
-    });
-    edges.retain(|edge| edge.delta != [0, 0]);
+        _ => {
+            drop_last_cancelled(edges);
+            edges.push(edge);
+        }
+    }
+}
+
+/// Drops the last edge of a list if its windings have cancelled.
+pub(super) fn drop_last_cancelled(edges: &mut Vec<Edge>) {
+    if edges.last().is_some_and(|last| last.delta == [0, 0]) {
+        edges.pop();
+    }
 }

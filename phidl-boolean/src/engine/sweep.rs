@@ -10,7 +10,8 @@ use super::{
     Rule,
     active::{Active, Place},
     edge::Edge,
-    span::{Spans, merge_coinciding},
+    order::by_x,
+    span::{Spans, drop_last_cancelled, push_merged},
 };
 use crate::point::{GridPoint, side};
 
@@ -70,8 +71,7 @@ pub(super) fn sweep_strip(
     points: impl Iterator<Item = GridPoint>,
 ) -> Swept {
     pieces.extend_from_slice(spans.owned(strip));
-    pieces.sort_unstable_by(left_then_upward);
-    merge_coinciding(&mut pieces);
+    let mut pieces = in_order(&pieces);
     let own = pieces.len();
     let mut entering: Vec<u32> = spans.entering(strip).to_vec();
     entering.sort_unstable_by(|&a, &b| upward_at_seam(&spans.piece(a), &spans.piece(b)));
@@ -84,9 +84,8 @@ pub(super) fn sweep_strip(
 }
 
 /// The boundary pieces of what one operand covers, with windings that count it once.
-pub(super) fn boundary(mut pieces: Vec<Edge>, operand: usize, rule: Rule) -> Vec<Edge> {
-    pieces.sort_unstable_by(left_then_upward);
-    merge_coinciding(&mut pieces);
+pub(super) fn boundary(pieces: &[Edge], operand: usize, rule: Rule) -> Vec<Edge> {
+    let pieces = in_order(pieces);
     let spans = Spans::default();
     let mut sweep = Sweep::new(rule, &spans, &pieces, i64::MAX);
     sweep.run(pieces.len(), std::iter::empty());
@@ -148,20 +147,15 @@ impl<'a> Sweep<'a> {
     fn run(&mut self, own: usize, points: impl Iterator<Item = GridPoint>) {
         let mut points = points.peekable();
         let pieces = self.pieces;
-        let mut ends: Vec<(GridPoint, u32)> = pieces
-            .iter()
-            .zip(0u32..)
-            .filter(|(piece, _)| piece.r.x <= self.last)
-            .map(|(e, piece)| (e.r, piece))
-            .collect();
-        ends.sort_unstable();
+        let ends = ends_in_order(pieces, self.last);
         let (mut next_piece, mut next_end) = (0, 0);
+        let end_at = |next: usize| ends.get(next).map(|&piece| pieces[piece as usize].r);
         loop {
             let begin = pieces[..own].get(next_piece).map(|piece| piece.l);
-            let end = ends.get(next_end).copied();
+            let end = end_at(next_end);
             let at = match (begin, end) {
-                (Some(begin), Some((end, _))) => begin.min(end),
-                (Some(only), None) | (None, Some((only, _))) => only,
+                (Some(begin), Some(end)) => begin.min(end),
+                (Some(only), None) | (None, Some(only)) => only,
                 (None, None) => break,
             };
             while let Some(point) = points.next_if(|&point| point < at) {
@@ -171,10 +165,10 @@ impl<'a> Sweep<'a> {
             while next_piece < own && pieces[next_piece].l == at {
                 next_piece += 1;
             }
-            while ends.get(next_end).is_some_and(|&(end, _)| end == at) {
+            let ending = if end == Some(at) { Some(ends[next_end]) } else { None };
+            while end_at(next_end) == Some(at) {
                 next_end += 1;
             }
-            let ending = end.filter(|&(end, _)| end == at).map(|(_, piece)| piece);
             self.visit(at, first..next_piece, ending);
         }
         points.for_each(|point| self.locate(point));
@@ -288,6 +282,24 @@ impl<'a> Sweep<'a> {
 #[expect(clippy::cast_possible_truncation, reason = "the number of edges is checked when they are gathered")]
 fn index(piece: usize) -> u32 {
     piece as u32
+}
+
+/// The pieces in the order in which a sweep comes to them, coinciding ones made one.
+fn in_order(pieces: &[Edge]) -> Vec<Edge> {
+    let piece = |number: u32| &pieces[number as usize];
+    let order =
+        by_x((0u32..).zip(pieces).map(|(number, e)| (number, e.l.x)), |a, b| left_then_upward(piece(a), piece(b)));
+    let mut sorted = Vec::with_capacity(pieces.len());
+    order.into_iter().for_each(|number| push_merged(&mut sorted, *piece(number)));
+    drop_last_cancelled(&mut sorted);
+    sorted
+}
+
+/// Numbers of the pieces that end up to some grid column, in the order of their right ends.
+fn ends_in_order(pieces: &[Edge], last: i64) -> Vec<u32> {
+    let right = |number: u32| pieces[number as usize].r;
+    let ending = (0u32..).zip(pieces).map(|(number, e)| (number, e.r.x)).filter(|&(_, x)| x <= last);
+    by_x(ending, |a, b| (right(a), a).cmp(&(right(b), b)))
 }
 
 /// Order of the left ends, and from bottom to top around a common one.

@@ -18,8 +18,8 @@ pub(super) fn trace(strips: &[Swept], spans: usize, free: &Free, rule: Rule) -> 
     let names = Names::new(strips, spans);
     let outlines = Outlines::follow(strips, &names);
     let owners = outlines.owners(strips, &names);
-    let mut assembly = Assembly { outlines: &outlines.contours, free: &free.outlines, parts: Vec::new() };
-    assembly.parts.reserve(owners.len() + free.outlines.len());
+    let mut assembly = Assembly { outlines: &outlines.contours, free, parts: Vec::new() };
+    assembly.parts.reserve(owners.len() + free.len());
     assembly.parts.extend(owners.iter().zip(0u32..).map(|(&owner, number)| Part {
         number,
         kind: if owner == number { Kind::Outer } else { Kind::HoleOf(owner) },
@@ -65,18 +65,18 @@ enum Kind {
 /// Puts traced and free outlines in order.
 struct Assembly<'a> {
     outlines: &'a Contours,
-    free: &'a Contours,
+    free: &'a Free,
     parts: Vec<Part>,
 }
 
 impl Assembly<'_> {
     fn points(&self, part: Part) -> &[GridPoint] {
-        let from = if part.is_free { self.free } else { self.outlines };
-        from.get(part.number as usize).unwrap_or_default()
+        let number = part.number as usize;
+        if part.is_free { self.free.outline(number) } else { self.outlines.get(number).unwrap_or_default() }
     }
 
     fn begin(&self, part: Part) -> GridPoint {
-        self.points(part)[0]
+        if part.is_free { self.free.begin(part.number as usize) } else { self.points(part)[0] }
     }
 
     fn into_region(mut self) -> Region {

@@ -7,6 +7,8 @@
 
 use std::cmp::Ordering;
 
+use rayon::prelude::*;
+
 use crate::point::{GridPoint, side};
 
 /// A line inside a polygon between two of its corners, from the left one to the right one.
@@ -49,9 +51,9 @@ struct Sweep {
 /// All chords of one polygon, given as its outer outline (counter-clockwise) and its holes (clockwise).
 pub(super) fn chords(outlines: &[&[GridPoint]]) -> Vec<Chord> {
     let mut sides: Vec<Side> = outlines.iter().flat_map(|outline| outline_sides(outline)).collect();
-    sides.sort_unstable_by(|a, b| a.l.cmp(&b.l).then_with(|| side(a.l, b.r, a.r)));
+    sides.par_sort_unstable_by(|a, b| a.l.cmp(&b.l).then_with(|| side(a.l, b.r, a.r)));
     let mut corners: Vec<GridPoint> = outlines.concat();
-    corners.sort_unstable();
+    corners.par_sort_unstable();
     corners.dedup();
     let mut hole_starts: Vec<GridPoint> = outlines.iter().skip(1).filter_map(|hole| hole.first().copied()).collect();
     hole_starts.sort_unstable();

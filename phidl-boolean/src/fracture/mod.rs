@@ -4,12 +4,14 @@
 //! point is added, nothing is rounded, and area and edges stay exact. (Cutting along straight lines across the polygon,
 //! as layout tools do, puts new points on slanted edges, next to the grid.)
 //!
-//! 1. [`chords`] finds chords that cut a polygon with holes into mountains: one long edge, and a chain over it.
-//! 2. [`triangles`] cuts the mountains into triangles.
+//! 1. [`chords`] finds chords that cut a polygon with holes into mountains: one long edge, and a chain over it. If a
+//!    polygon is small enough, its outline along those that connect the holes is the result ([`faces`]).
+//! 2. Otherwise, [`triangles`] cuts the mountains into triangles.
 //! 3. [`pieces`] joins triangles again, over every chord that is no seam, as far as the limit allows. With a seam for
 //!    each hole the triangles form a tree, so the outline of any connected part is found by walking around it.
 
 mod chords;
+mod faces;
 mod pieces;
 mod triangles;
 
@@ -75,6 +77,12 @@ fn cut_polygon(polygon: Polygon, max_points: usize) -> Contours {
     }
     let outlines: Vec<&[GridPoint]> = std::iter::once(polygon.outer()).chain(polygon.holes()).collect();
     let chords = chords::chords(&outlines);
+    let seams = chords.iter().filter(|chord| chord.is_seam);
+    if polygon.point_count() + 2 * seams.clone().count() <= max_points {
+        let mut opened = Contours::with_capacity(1, polygon.point_count() + 2 * polygon.holes().len());
+        faces::for_each_face(&outlines, seams, |face| opened.push(face.iter().copied()));
+        return opened;
+    }
     let triangles = triangles::triangles(&outlines, &chords);
     pieces::pieces(&triangles, &chords, max_points)
 }

@@ -45,7 +45,7 @@ pub(crate) fn content(cell: &Cell) -> Digest {
         stream.count(*place);
     }
     stream.map(cell.info.iter().map(|(key, value)| (key.as_str(), value)));
-    stream.list(cell.source.iter().map(|source| &**source), Stream::source);
+    stream.list(cell.source.iter(), Stream::source);
     stream.finish()
 }
 

@@ -28,14 +28,57 @@ pub fn normalized(degrees: f64) -> f64 {
 /// assert_eq!(sin_cos(-270.0), (1.0, 0.0));
 /// ```
 #[must_use]
+#[inline]
 pub fn sin_cos(degrees: f64) -> (f64, f64) {
-    match quarter_turns(degrees) {
-        Some(0) => (0.0, 1.0),
-        Some(1) => (1.0, 0.0),
-        Some(2) => (0.0, -1.0),
-        Some(_) => (-1.0, 0.0),
-        None => degrees.to_radians().sin_cos(),
+    /// Beyond this the number of quarter turns would be rounded; no mask turns so often.
+    const MOST: f64 = 1e12;
+    /// Adding it leaves no room for a fraction, so it rounds; the quarter turn is in the last two bits.
+    const ROUND: f64 = 1.5 * (1_u64 << 52) as f64;
+    let degrees = if degrees.abs() <= MOST { degrees } else { normalized(degrees) };
+    let rounded = degrees * (1.0 / 90.0) + ROUND;
+    // Exact: both are multiples of the last bit of the angle, and the difference is no larger than the angle.
+    let rest = degrees - 90.0 * (rounded - ROUND);
+    let (sin, cos) = sin_cos_of_an_eighth(rest.to_radians());
+    // Subtracting gives a zero that is positive.
+    match rounded.to_bits() & 3 {
+        0 => (sin, cos),
+        1 => (cos, 0.0 - sin),
+        2 => (0.0 - sin, 0.0 - cos),
+        _ => (0.0 - cos, sin),
     }
+}
+
+/// Sine and cosine of an angle within ±π/4 to the last bit or the one before: the Taylor series, broken off where the next term
+/// is below a hundredth of the last bit. Curves are made of calls of this function; the ones of the system, which have
+/// to reduce any angle in radians, take five times as long.
+#[inline]
+fn sin_cos_of_an_eighth(x: f64) -> (f64, f64) {
+    const SIN: [f64; 8] = [
+        -1.0 / 6.0,
+        1.0 / 120.0,
+        -1.0 / 5_040.0,
+        1.0 / 362_880.0,
+        -1.0 / 39_916_800.0,
+        1.0 / 6_227_020_800.0,
+        -1.0 / 1_307_674_368_000.0,
+        1.0 / 355_687_428_096_000.0,
+    ];
+    const COS: [f64; 8] = [
+        1.0 / 24.0,
+        -1.0 / 720.0,
+        1.0 / 40_320.0,
+        -1.0 / 3_628_800.0,
+        1.0 / 479_001_600.0,
+        -1.0 / 87_178_291_200.0,
+        1.0 / 20_922_789_888_000.0,
+        -1.0 / 6_402_373_705_728_000.0,
+    ];
+    let square = x * x;
+    let (fourth, eighth) = (square * square, (square * square) * (square * square));
+    // In pairs (G. Estrin's scheme), which do not wait for one another.
+    let pair = |terms: &[f64; 8], i: usize| terms[i] + terms[i + 1] * square;
+    let series = |t: &[f64; 8]| (pair(t, 0) + pair(t, 2) * fourth) + (pair(t, 4) + pair(t, 6) * fourth) * eighth;
+    (x + x * (square * series(&SIN)), 1.0 - (0.5 * square - square * (square * series(&COS))))
 }
 
 /// How many quarter turns (0 to 3) an angle is, if it is a whole number of them.
@@ -92,5 +135,32 @@ mod tests {
     fn what_is_not_finite_stays_visible() {
         assert!(normalized(f64::INFINITY).is_nan());
         assert!(sin_cos(f64::NAN).0.is_nan());
+    }
+
+    #[test]
+    fn sines_and_cosines_are_those_of_the_system_to_the_last_bits() {
+        for i in -4_000..=4_000 {
+            let degrees = f64::from(i) * 0.1237;
+            let (sin, cos) = sin_cos(degrees);
+            let (due_sin, due_cos) = degrees.to_radians().sin_cos();
+            // Turning ten times around in radians costs the system's a bit more.
+            assert!((sin - due_sin).abs() < 1e-15 && (cos - due_cos).abs() < 1e-15, "{degrees}");
+            if degrees.abs() <= 45.0 {
+                assert!((sin - due_sin).abs() <= 1.2e-16 && (cos - due_cos).abs() <= 2.3e-16, "{degrees}");
+            }
+        }
+    }
+
+    #[test]
+    fn angles_a_quarter_turn_apart_have_the_same_digits() {
+        for degrees in [0.125, 30.0, 44.5, 45.0] {
+            let (sin, cos) = sin_cos(degrees);
+            for turns in [-1e6, -1.0, 1.0, 2.0, 1e9] {
+                assert_eq!(sin_cos(degrees + 360.0 * turns), (sin, cos), "{degrees} {turns}");
+            }
+            assert_eq!(sin_cos(degrees + 180.0), (-sin, -cos));
+        }
+        assert!(sin_cos(f64::NAN).0.is_nan() && sin_cos(f64::INFINITY).1.is_nan());
+        assert_eq!(sin_cos(360e14), (0.0, 1.0));
     }
 }

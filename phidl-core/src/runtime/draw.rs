@@ -2,6 +2,8 @@
 //!
 //! The generic functions are thin shells around ones that are compiled once, so that a hundred generators stay cheap.
 
+use std::sync::Arc;
+
 use super::flight::{self, Drawing, Turn};
 use super::key::Key;
 use super::{Entry, Generator, Record, worker};
@@ -42,14 +44,14 @@ fn run(
     }
 }
 
-fn draw(entry: &'static Entry, record: &Record, body: &Body<'_>) -> Result<Device> {
+fn draw(entry: &'static Entry, record: &Arc<Record>, body: &Body<'_>) -> Result<Device> {
     entry.check_bounds(record)?;
     let device = body().map_err(|error| match error.owner() {
         Some(owner) if owner != entry.name => error.within(entry.name),
         _ => error,
     })?;
     let Entry { name: generator, module, version, .. } = *entry;
-    Ok(device.with_source(Source { generator, module, version, params: record.clone() }))
+    Ok(device.with_source(Source { generator, module, version, params: Arc::clone(record) }))
 }
 
 /// The unit of a parameter of the generator with this name, if this thread is just drawing it.

@@ -27,7 +27,11 @@ pub struct Entry {
     example: fn() -> Result<Record>,
     record: fn(&Reader<'_>) -> Result<Record>,
     build: fn(&Reader<'_>) -> Result<Device>,
+    redraw: fn(&Reader<'_>) -> Result<Redraw>,
 }
+
+/// A call whose parameters are read: draws the cell anew each time, as [`Generator::build_uncached`].
+pub type Redraw = Box<dyn Fn() -> Result<Device> + Send + Sync>;
 
 /// A parameter of a generator.
 #[derive(Debug, Clone, PartialEq)]
@@ -86,6 +90,10 @@ impl Entry {
             example: || Ok(G::example()?.record()),
             record: |from| Ok(G::read(from)?.record()),
             build: |from| G::read(from)?.build(),
+            redraw: |from| {
+                let params = G::read(from)?;
+                Ok(Box::new(move || params.build_uncached()))
+            },
         }
     }
 
@@ -144,6 +152,15 @@ impl Entry {
         (self.build)(&Reader::new(self, params)?)
     }
 
+    /// A way to draw the cell with these parameters again and again, past the cache: for measuring what a body costs.
+    /// Generators that the body calls use the cache as ever.
+    ///
+    /// # Errors
+    /// Parameters that cannot be read, as for [`Entry::record`]; what is out of bounds, each drawing reports.
+    pub fn redraw(&'static self, params: &BTreeMap<String, Value>) -> Result<Redraw> {
+        (self.redraw)(&Reader::new(self, params)?)
+    }
+
     /// The registered names of the parameters.
     pub(super) fn names(&self) -> impl Iterator<Item = &'static str> {
         self.rows.iter().map(|row| row.name)
@@ -162,7 +179,7 @@ impl Entry {
     pub(super) fn check_bounds(&self, record: &Record) -> Result<()> {
         for (row, (_, value)) in self.rows.iter().zip(record) {
             let at = Site { device: self.name, place: row.name, unit: row.unit };
-            row.bounds.check(at, &(row.kind)(), value)?;
+            row.bounds.check(at, row.kind, value)?;
         }
         Ok(())
     }

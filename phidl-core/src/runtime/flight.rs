@@ -25,6 +25,9 @@ use super::worker;
 use crate::error::{Error, Result};
 use crate::scene::Device;
 
+/// So many threads may be known that draw nothing.
+const IDLE_STACKS: usize = 64;
+
 /// All cells that are being drawn.
 #[derive(Default)]
 pub(super) struct Flights {
@@ -80,7 +83,7 @@ pub(super) fn request(key: &Key, entry: &'static Entry) -> Result<Turn> {
     if let Some(device) = state.hit(key) {
         return Ok(Turn::Done(device));
     }
-    let me = thread::current().id();
+    let me = this_thread();
     if let Some(chain) = state.flights.own_circle(me, key) {
         return if worker::is_one() { Ok(Turn::DrawApart(End::Cache)) } else { Err(Error::Circle { chain }) };
     }
@@ -121,7 +124,7 @@ fn wait(
 
 /// Asks to draw a cell which nobody else will get.
 pub(super) fn request_uncached(key: &Key, entry: &'static Entry) -> Result<Turn> {
-    let me = thread::current().id();
+    let me = this_thread();
     let flights = &mut lock().flights;
     if let Some(chain) = flights.own_circle(me, key) {
         return if worker::is_one() { Ok(Turn::DrawApart(End::Nobody)) } else { Err(Error::Circle { chain }) };
@@ -137,7 +140,7 @@ pub(super) fn start_apart(key: &Key, entry: &'static Entry, end: &End) -> Drawin
 /// What this thread is drawing, innermost first, until `find` has found something.
 pub(super) fn search_own_stack<T>(find: impl FnMut(&'static Entry) -> Option<T>) -> Option<T> {
     let state = lock();
-    let stack = state.flights.stacks.get(&thread::current().id())?;
+    let stack = state.flights.stacks.get(&this_thread())?;
     stack.iter().rev().map(|frame| frame.entry).find_map(find)
 }
 
@@ -152,8 +155,8 @@ impl State {
 impl Flights {
     /// Draws a cell that others may be drawing, too.
     fn draw_alone(&mut self, key: &Key, entry: &'static Entry, end: End) -> Drawing {
-        self.push(thread::current().id(), key, entry);
-        Drawing { key: key.clone(), end }
+        self.push(this_thread(), key, entry);
+        Drawing { end: Some(end) }
     }
 
     fn start(&mut self, me: ThreadId, key: &Key, entry: &'static Entry) -> Drawing {
@@ -161,7 +164,7 @@ impl Flights {
         let flight = Arc::new(Flight { thread: me, on_worker: worker::is_one(), outcome, ended });
         self.by_key.insert(key.clone(), Arc::clone(&flight));
         self.push(me, key, entry);
-        Drawing { key: key.clone(), end: End::Waiting(flight) }
+        Drawing { end: Some(End::Waiting(flight)) }
     }
 
     fn push(&mut self, me: ThreadId, key: &Key, entry: &'static Entry) {
@@ -201,26 +204,30 @@ impl Flights {
     }
 
     /// Takes the innermost body from the stack of a thread.
-    fn pop(&mut self, thread: ThreadId) {
-        if let Some(stack) = self.stacks.get_mut(&thread) {
-            stack.pop();
-            if stack.is_empty() {
-                self.stacks.remove(&thread);
-            }
+    fn pop(&mut self, thread: ThreadId) -> Option<Frame> {
+        let stack = self.stacks.get_mut(&thread)?;
+        let frame = stack.pop();
+        // A thread that drew one cell is likely to draw another.
+        if stack.is_empty() && self.stacks.len() > IDLE_STACKS {
+            self.stacks.remove(&thread);
         }
+        frame
     }
 }
 
-/// The right and the duty to draw a cell. Dropped without an end (by a panic), it releases those who wait.
+/// The right and the duty to draw a cell, which is the innermost one of this thread. Dropped without an end (by a panic),
+/// it releases those who wait.
 pub(super) struct Drawing {
-    key: Key,
-    end: End,
+    /// Until it has ended.
+    end: Option<End>,
 }
 
 /// Who gets the cell, apart from the caller.
 #[derive(Clone)]
 pub(super) enum End {
+    /// Nobody.
     Nobody,
+    /// The cache.
     Cache,
     /// The cache, and those who wait.
     Waiting(Arc<Flight>),
@@ -231,14 +238,16 @@ impl Drawing {
     ///
     /// Returns the cell that is kept, which is another one if somebody else was first.
     pub(super) fn end(mut self, result: Result<Device>) -> Result<Device> {
-        let end = std::mem::replace(&mut self.end, End::Nobody);
-        if matches!(end, End::Nobody) {
-            return result;
-        }
+        let end = self.end.take();
         let mut state = lock();
-        let result = result.map(|device| state.keep_first(&self.key, device));
-        if let End::Waiting(flight) = end {
-            state.flights.land(&self.key, &flight, Some(result.clone()));
+        let frame = state.flights.pop(this_thread());
+        let (Some(Frame { key, .. }), Some(End::Cache | End::Waiting(_))) = (&frame, &end) else {
+            drop(state);
+            return result; // the frame goes without the lock
+        };
+        let result = result.map(|device| state.keep_first(key, device));
+        if let Some(End::Waiting(flight)) = end {
+            state.flights.land(key, &flight, Some(result.clone()));
         }
         drop(state);
         result
@@ -247,11 +256,11 @@ impl Drawing {
 
 impl Drop for Drawing {
     fn drop(&mut self) {
+        let Some(end) = self.end.take() else { return };
         let mut state = lock();
-        if let End::Waiting(flight) = &self.end {
-            state.flights.land(&self.key, flight, None);
+        if let (Some(frame), End::Waiting(flight)) = (state.flights.pop(this_thread()), end) {
+            state.flights.land(&frame.key, &flight, None);
         }
-        state.flights.pop(thread::current().id());
     }
 }
 
@@ -262,6 +271,14 @@ impl Flights {
         debug_assert!(fresh.is_ok(), "invariant: a flight ends with its drawing, once");
         flight.ended.notify_all();
     }
+}
+
+/// This thread.
+fn this_thread() -> ThreadId {
+    thread_local! {
+        static ME: ThreadId = thread::current().id();
+    }
+    ME.with(|me| *me)
 }
 
 /// Waits for a signal without limit.

@@ -15,7 +15,7 @@ mod recipe;
 pub mod registry;
 mod worker;
 
-pub use entry::{Entry, ParamInfo, Row};
+pub use entry::{Entry, ParamInfo, Redraw, Row};
 pub use generator::{Generator, Record};
 pub use reader::Reader;
 pub use recipe::Recipe;

@@ -3,6 +3,8 @@
 use std::collections::BTreeMap;
 use std::ops::{Index, IndexMut};
 
+use indexmap::map::Entry;
+
 use super::keys::Removals;
 use super::{
     Cell, Device, Element, Group, Key, Label, LabelKey, Polygon, PolygonKey, PolygonView, Reference, ReferenceKey,
@@ -47,7 +49,7 @@ pub struct DeviceBuilder {
     pub(super) removed_references: Removals,
     pub(super) removed_polygons: Removals,
     pub(super) removed_labels: Removals,
-    fault: Option<Error>,
+    fault: Option<Box<Error>>,
 }
 
 /// What [`DeviceBuilder::add`] takes: references, devices, polygons, labels and groups.
@@ -115,7 +117,7 @@ impl DeviceBuilder {
         if !sound {
             let error = bad_outline(&self.cell.name, points);
             self.cell.outlines.pop();
-            return Err(self.fault.take().unwrap_or(error));
+            return Err(self.fault.take().map_or(error, |fault| *fault));
         }
         match layers.as_slice() {
             [] => self.cell.outlines.pop(),
@@ -141,11 +143,13 @@ impl DeviceBuilder {
         self.report()?;
         let port = port.into().named(name.clone());
         port.check(&self.cell.name)?;
-        if self.cell.ports.contains_key(&name) {
-            let device = self.cell.name.as_str().into();
-            return Err(Error::Duplicate { device, kind: Noun::Port, name: name.into() });
-        }
-        self.cell.ports.insert(name, port);
+        match self.cell.ports.entry(name) {
+            Entry::Vacant(place) => place.insert(port),
+            Entry::Occupied(taken) => {
+                let device = self.cell.name.as_str().into();
+                return Err(Error::Duplicate { device, kind: Noun::Port, name: taken.key().as_str().into() });
+            }
+        };
         Ok(self)
     }
 
@@ -300,14 +304,14 @@ impl DeviceBuilder {
     /// Returns what was kept, if anything.
     pub(super) fn report(&mut self) -> Result<()> {
         match self.fault.take() {
-            Some(fault) => Err(fault),
+            Some(fault) => Err(*fault),
             None => Ok(()),
         }
     }
 
     /// Keeps an error for the next fallible call, if none is kept yet.
     pub(super) fn keep(&mut self, error: Error) {
-        self.fault.get_or_insert(error);
+        self.fault.get_or_insert_with(|| Box::new(error));
     }
 
     pub(super) fn keep_result(&mut self, result: Result<()>) {

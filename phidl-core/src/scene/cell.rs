@@ -1,9 +1,8 @@
 //! [`Cell`]: what a cell holds, open or finished.
 
-use std::collections::BTreeMap;
-use std::sync::Arc;
-
 use indexmap::IndexMap;
+use rustc_hash::FxBuildHasher;
+use std::collections::BTreeMap;
 
 use super::outlines::Outlines;
 use super::{Label, Reference, Source};
@@ -13,6 +12,9 @@ use crate::param::Value;
 use crate::place::{Bounded, Transformable};
 use crate::port::Port;
 
+/// Things with names, in the order in which they were added. Names come from the program itself: nobody makes them collide.
+pub(crate) type ByName<T> = IndexMap<String, T, FxBuildHasher>;
+
 /// The content of a cell. The builder edits it; the device shares it and adds what it remembers about it.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Cell {
@@ -20,11 +22,11 @@ pub(crate) struct Cell {
     pub(crate) outlines: Outlines,
     pub(crate) references: Vec<Reference>,
     pub(crate) labels: Vec<Label>,
-    pub(crate) ports: IndexMap<String, Port>,
+    pub(crate) ports: ByName<Port>,
     /// Alias → place in `references`.
-    pub(crate) aliases: IndexMap<String, usize>,
+    pub(crate) aliases: ByName<usize>,
     pub(crate) info: BTreeMap<String, Value>,
-    pub(crate) source: Option<Arc<Source>>,
+    pub(crate) source: Option<Source>,
 }
 
 impl Cell {

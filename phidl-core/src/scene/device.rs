@@ -139,7 +139,7 @@ impl Device {
     /// The generator that drew the cell, with its parameters, if one did.
     #[must_use]
     pub fn source(&self) -> Option<&Source> {
-        self.cell().source.as_deref()
+        self.cell().source.as_ref()
     }
 
     /// Whether nothing is drawn in the cell or below it.
@@ -194,11 +194,15 @@ impl Device {
     }
 
     /// The same cell with the record of the generator that drew it.
-    pub(crate) fn with_source(self, source: Source) -> Self {
-        let source = Some(Arc::new(source));
-        match Arc::try_unwrap(self.0) {
-            Ok(finished) => Self::from_cell(Cell { source, ..finished.cell }),
-            Err(shared) => Self::from_cell(Cell { source, ..shared.cell.clone() }),
+    pub(crate) fn with_source(mut self, source: Source) -> Self {
+        let source = Some(source);
+        match Arc::get_mut(&mut self.0) {
+            Some(finished) => {
+                finished.cell.source = source;
+                finished.content = OnceLock::new(); // takes the source in
+                self
+            }
+            None => Self::from_cell(Cell { source, ..self.cell().clone() }),
         }
     }
 

@@ -1,5 +1,7 @@
 //! [`Source`]: which generator drew a cell, and with what.
 
+use std::sync::Arc;
+
 use crate::param::Value;
 
 /// The generator of a finished cell with every parameter it was called with.
@@ -12,5 +14,5 @@ pub struct Source {
     /// Version of the crate it stands in.
     pub version: &'static str,
     /// Every parameter in the generator's order, by its registered name.
-    pub params: Vec<(&'static str, Value)>,
+    pub params: Arc<Vec<(&'static str, Value)>>,
 }

@@ -7,6 +7,8 @@ use phidl_core::param::Check;
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
+use super::directions::around;
+
 /// Draws a disc around the origin.
 ///
 /// # Ports
@@ -55,7 +57,7 @@ pub fn circle(
         Some(tolerance) => count::for_tolerance(radius.abs(), 360.0, tolerance).max(3),
         None => count::per_turn(angle_resolution),
     };
-    closed_curve("circle", chords, layer, |degrees| Point::polar(radius, degrees))
+    closed_curve("circle", chords, layer, |direction| direction * radius)
 }
 
 /// Draws an ellipse around the origin, its axes along x and y.
@@ -96,16 +98,18 @@ pub fn ellipse(
     layer: Layers,
 ) -> Result<Device> {
     let Size { width: a, height: b } = radii;
-    closed_curve("ellipse", count::per_turn(angle_resolution), layer, |degrees| {
-        let direction = Point::polar(1.0, degrees);
-        direction * (a * b / (b * direction.x).hypot(a * direction.y))
+    let flatness = a / b;
+    closed_curve("ellipse", count::per_turn(angle_resolution), layer, |direction| {
+        let (x, y) = (direction.x, flatness * direction.y);
+        direction * (a / (x * x + y * y).sqrt())
     })
 }
 
 /// One outline from 0° to 360°, both ends included.
-fn closed_curve(name: &str, chords: usize, layer: Layers, at: impl Fn(f64) -> Point) -> Result<Device> {
+fn closed_curve(name: &str, chords: usize, layer: Layers, at: impl Fn(Point) -> Point) -> Result<Device> {
     Check::device(name).at_most("number of points", chords as f64, count::MOST as f64 - 1.0)?;
-    let points: Vec<Point> = (0..=chords).map(|i| at(360.0 * i as f64 / chords as f64)).collect();
+    let mut points = around(chords);
+    points.iter_mut().for_each(|direction| *direction = at(*direction));
     let mut d = Device::builder(name);
     d.add_polygon(points, layer)?;
     d.build()

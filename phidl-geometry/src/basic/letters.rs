@@ -23,7 +23,8 @@ use phidl_macros::device;
 /// `1` above, facing 90°, and `2` to the right, facing 0°; both `width` wide.
 ///
 /// # Errors
-/// Both extents must be at least half the width, or the outline would cross itself.
+/// Both extents must be greater than minus half the width, and one of them at least half the width, or the outline would
+/// cross itself.
 ///
 /// # Examples
 /// ```
@@ -52,8 +53,10 @@ pub fn l(
 ) -> Result<Device> {
     let (h, Size { width: right, height: top }) = (width / 2.0, size);
     let check = Check::device("L");
-    check.at_least("size.width", right, ("half the width", h))?;
-    check.at_least("size.height", top, ("half the width", h))?;
+    check.greater("size.width", right, ("minus half the width", -h))?;
+    check.greater("size.height", top, ("minus half the width", -h))?;
+    // An arm may end inside the other one; where both do, nothing is left of the inner corner.
+    check.at_least("the greater of size.width and size.height", right.max(top), ("half the width", h))?;
     let mut d = Device::builder("L");
     d.add_polygon([(-h, -h), (right, -h), (right, h), (h, h), (h, top), (-h, top), (-h, -h)], layer)?;
     d.add_port("1", ((0, top), width, 90))?;
@@ -79,7 +82,8 @@ pub fn l(
 /// `1` at the end of the upper arm and `2` at that of the lower one, facing 0°; both `width` wide.
 ///
 /// # Errors
-/// `size.width` must be at least half the width and `size.height` at least the width, or the outline would cross itself.
+/// `size.width` must be greater than minus half the width and `size.height` at least the width, or the outline would cross
+/// itself.
 ///
 /// # Examples
 /// ```
@@ -110,7 +114,7 @@ pub fn c(
     let lower = [(-h, -h), (right, -h), (right, h), (h, h)];
     let upper = [(h, top - h), (right, top - h), (right, top + h), (-h, top + h), (-h, -h)];
     let check = Check::device("C");
-    check.at_least("size.width", right, ("half the width", h))?;
+    check.greater("size.width", right, ("minus half the width", -h))?;
     check.at_least("size.height", top, ("width", width))?;
     let mut d = Device::builder("C");
     d.add_polygon([lower.as_slice(), upper.as_slice()].concat(), layer)?;
@@ -128,6 +132,15 @@ mod tests {
         // The corner of an L belongs to one arm alone: width · (10 + 20), its outer quarter included, its inner one not.
         assert_eq!(l(2, (10, 20), 0).unwrap().area(), 2.0 * 30.0);
         assert_eq!(c(2, (10, 20), 0).unwrap().area(), 2.0 * (10.0 + 20.0 + 10.0));
+    }
+
+    #[test]
+    fn an_arm_may_end_inside_the_other_one() {
+        let d = l(4, (1, 9), 0).unwrap();
+        assert_eq!(d.area(), 3.0 * 4.0 + 4.0 * 7.0);
+        assert_eq!(d.port("2").unwrap().midpoint(), Point::new(1.0, 0.0));
+        assert!(l(4, (1, 1), 0).is_err() && l(4, (-2, 9), 0).is_err() && c(4, (-2, 9), 0).is_err());
+        assert_eq!(c(4, (0, 9), 0).unwrap().area(), 2.0 * 13.0 + 2.0 * 5.0);
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! Basic shapes.
 
 mod cross;
+mod directions;
 mod ellipse;
 mod letters;
 mod rectangle;

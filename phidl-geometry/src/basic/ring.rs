@@ -5,6 +5,8 @@ use phidl_core::param::Check;
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
+use super::directions::around;
+
 /// Draws a closed ring around the origin.
 ///
 /// ```text
@@ -61,9 +63,8 @@ pub fn ring(
     let chords = count::per_turn_nearest(angle_resolution);
     check.at_most("number of points", 2.0 * chords as f64, count::MOST as f64 - 2.0)?;
 
-    let angles = (0..=chords).map(|i| 360.0 * i as f64 / chords as f64);
     let mut d = Device::builder("ring");
-    d.add_polygon(band(radius, width, angles), layer)?;
+    d.add_polygon(band(radius, width, &around(chords)), layer)?;
     d.build()
 }
 
@@ -128,8 +129,21 @@ pub fn arc(
     #[default(0)]
     layer: Layers,
 ) -> Result<Device> {
+    open_arc(Point::ORIGIN, radius, width, theta, start_angle, angle_resolution, layer)?.build()
+}
+
+/// The body of [`arc()`] around any point.
+pub(super) fn open_arc(
+    center: Point,
+    radius: f64,
+    width: f64,
+    theta: f64,
+    start_angle: f64,
+    angle_resolution: f64,
+    layer: Layers,
+) -> Result<DeviceBuilder> {
     let check = Check::device("arc");
-    check.at_most("width", width, ("2 radius", 2.0 * radius))?;
+    check.unit("um").at_most("width", width, ("2 radius", 2.0 * radius))?;
     check.that("theta", format_args!("{theta}°"), theta != 0.0, "not be 0")?;
     let points = count::up(theta.abs() / angle_resolution).max(2);
     check.at_most("number of points", 2.0 * points as f64, count::MOST as f64 - 2.0)?;
@@ -137,19 +151,22 @@ pub fn arc(
     let end_angle = start_angle + theta;
     let out = 90.0 * theta.signum();
     let mut d = Device::builder("arc");
-    d.add_polygon(band(radius, width, linspace(start_angle, end_angle, points)), layer)?;
-    d.add_port("1", (Point::polar(radius, start_angle), width, start_angle - out))?;
-    d.add_port("2", (Point::polar(radius, end_angle), width, end_angle + out))?;
+    let directions: Vec<Point> =
+        linspace(start_angle, end_angle, points).map(|angle| Point::polar(1.0, angle)).collect();
+    let mut outline = band(radius, width, &directions);
+    outline.iter_mut().for_each(|p| *p += center);
+    d.add_polygon(outline, layer)?;
+    d.add_port("1", (center + Point::polar(radius, start_angle), width, start_angle - out))?;
+    d.add_port("2", (center + Point::polar(radius, end_angle), width, end_angle + out))?;
     d.info("length", theta.abs().to_radians() * radius);
-    d.build()
+    Ok(d)
 }
 
-/// The inner edge along some angles, then the outer edge back.
-fn band(radius: f64, width: f64, angles: impl DoubleEndedIterator<Item = f64> + Clone) -> Vec<Point> {
-    let inner = radius - width / 2.0;
-    let outer = radius + width / 2.0;
-    let inner = angles.clone().map(move |angle| Point::polar(inner, angle));
-    inner.chain(angles.rev().map(move |angle| Point::polar(outer, angle))).collect()
+/// The inner edge along some directions, then the outer edge back.
+fn band(radius: f64, width: f64, directions: &[Point]) -> Vec<Point> {
+    let (inner, outer) = (radius - width / 2.0, radius + width / 2.0);
+    let edge = |radius: f64| directions.iter().map(move |direction| *direction * radius);
+    edge(inner).chain(edge(outer).rev()).collect()
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
-use super::arc;
+use super::ring::open_arc;
 
 /// Draws an [`arc`](fn@crate::arc) that goes on from a port.
 ///
@@ -46,7 +46,7 @@ pub fn turn(
     radius: f64,
     /// How far it turns, to the left if positive.
     #[default(270.0)]
-    #[param(unit = "deg")]
+    #[param(unit = "deg", min = -360.0, max = 360.0)]
     angle: f64,
     /// Angle that decides the number of points.
     #[default(2.5)]
@@ -56,11 +56,10 @@ pub fn turn(
     #[default(0)]
     layer: Layers,
 ) -> Result<Device> {
-    let mut d = arc(radius, port.width(), angle, 0, angle_resolution, layer)?.edit();
-    let start = d.port("1")?.clone();
-    d.rotate_about(180.0 + port.orientation() - start.orientation(), start.midpoint());
-    d.move_by(port.midpoint() - start.midpoint());
-    d.build()
+    // The center is to the left of whoever goes on from the port, or to the right.
+    let side = 90.0 * angle.signum();
+    let center = port.midpoint() + Point::polar(radius, port.orientation() + side);
+    open_arc(center, radius, port.width(), angle, port.orientation() - side, angle_resolution, layer)?.build()
 }
 
 #[cfg(test)]

@@ -105,8 +105,9 @@ pub fn optimal_step(
         let turned = if start_width > end_width { -1.0 } else { 1.0 };
         step(&edge, symmetric, turned * anticrowding_factor)
     };
+    // Of the outline, not of the drawing: there is none without a layer.
+    let (left, right) = outline.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, r), p| (l.min(p.x), r.max(p.x)));
     d.add_polygon(outline, layer)?;
-    let (left, right) = (d.xmin(), d.xmax());
     let middle = |width: f64| if symmetric { 0.0 } else { width / 2.0 };
     d.add_port("1", ((left, middle(start_width)), start_width, 180))?;
     d.add_port("2", ((right, middle(end_width)), end_width, 0))?;
@@ -230,6 +231,13 @@ mod tests {
         let flow = Flow::new(10.0, 22.0);
         let end = flow.at(flow.root(|p| p.y - 22.0 * 0.999).unwrap());
         assert!((end.x - 93.8866).abs() < 1e-4 && (end.y - 21.978).abs() < 1e-9, "{end}");
+    }
+
+    #[test]
+    fn ports_do_not_need_a_layer() {
+        let [with, without] =
+            [Layers::from(1), Layers::NONE].map(|l| OptimalStepParams::default().layer(l).build().unwrap());
+        assert!(with.ports().eq(without.ports()));
     }
 
     #[test]

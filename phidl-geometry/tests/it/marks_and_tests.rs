@@ -1,5 +1,8 @@
 //! Laws of lithography marks, dies and electrical test structures, over the whole range of their parameters.
 
+use std::collections::BTreeMap;
+
+use phidl_core::param::Kind;
 use phidl_core::prelude::*;
 use phidl_core::runtime::registry;
 use phidl_geometry as pg;
@@ -212,7 +215,7 @@ fn no_number_makes_a_shape_panic() {
                     Value::Int(_) | Value::Float(_) => Value::from(wild),
                     _ => continue,
                 };
-                let mut params: std::collections::BTreeMap<String, Value> =
+                let mut params: BTreeMap<String, Value> =
                     entry.example().unwrap().into_iter().map(|(name, value)| (name.to_owned(), value)).collect();
                 params.insert(name.to_owned(), spoiled);
                 // Drawn or refused; not a panic, and nothing that is not finite.
@@ -225,4 +228,28 @@ fn no_number_makes_a_shape_panic() {
             }
         }
     }
+}
+
+#[test]
+fn a_layer_that_is_left_out_leaves_the_others_as_they_are() {
+    for name in ["test_comb", "test_ic", "test_res", "test_via"] {
+        let entry = registry::find(name).unwrap();
+        let layers: Vec<&str> = entry.params().iter().filter(|p| p.kind == Kind::Layers).map(|p| p.name).collect();
+        let numbered = layers.iter().zip(10..).map(|(layer, number)| ((*layer).to_owned(), Value::Int(number)));
+        let all: BTreeMap<String, Value> = numbered.collect();
+        let whole = entry.build(&all).unwrap();
+        for (left_out, number) in layers.iter().zip(10_u16..) {
+            let mut params = all.clone();
+            params.insert((*left_out).to_owned(), Value::Null);
+            let rest = entry.build(&params).unwrap();
+            let others: Vec<Layer> = whole.layers().iter().copied().filter(|key| *key != number.into()).collect();
+            assert_eq!(rest.layers(), others, "{name} without {left_out}");
+            assert_eq!(outlines(&rest, &others), outlines(&whole, &others), "{name} without {left_out}");
+        }
+    }
+}
+
+fn outlines(d: &Device, layers: &[Layer]) -> Vec<(Option<Layer>, Vec<Point>)> {
+    let kept = d.flat_polygons().filter(|polygon| polygon.layer.is_some_and(|layer| layers.contains(&layer)));
+    kept.map(|polygon| (polygon.layer, polygon.points().collect())).collect()
 }

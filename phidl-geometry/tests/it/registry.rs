@@ -79,3 +79,14 @@ fn every_shape_of_the_library_is_registered_and_draws_its_example() {
         assert!(!device.is_empty() || device.ports().len() > 0, "{}", entry.name);
     }
 }
+
+#[test]
+fn a_redraw_gives_an_equal_cell_each_time_and_leaves_the_cache_alone() {
+    let entry = registry::find("ring").unwrap();
+    let draw = entry.redraw(&[("radius".to_owned(), 3.25.into())].into()).unwrap();
+    let (first, second) = (draw().unwrap(), draw().unwrap());
+    assert!(!first.same_cell(&second) && first == second);
+    let cached = phidl_geometry::ring(3.25, 0.5, 2.5, 0).unwrap();
+    assert!(cached == first && !cached.same_cell(&first) && !cached.same_cell(&second));
+    assert!(entry.redraw(&[("radius".to_owned(), "wide".into())].into()).is_err());
+}

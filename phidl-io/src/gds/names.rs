@@ -92,7 +92,7 @@ fn by_parameters(base: &str, own: &Source, all: &[&Source]) -> Option<String> {
         return None;
     }
     let mut name = base.to_owned();
-    for (param, value) in &own.params {
+    for (param, value) in own.params.iter() {
         let differs = all.iter().any(|other| other.params.iter().any(|(p, v)| p == param && v != value));
         if differs {
             name.push('_');
@@ -186,7 +186,7 @@ mod tests {
             generator,
             module: "m",
             version: "1",
-            params: vec![("radius", radius.into()), ("width", 0.5.into()), ("layer", layer.into())],
+            params: vec![("radius", radius.into()), ("width", 0.5.into()), ("layer", layer.into())].into(),
         };
         let (a, b, c) = (source("ring", 12.5, 1), source("ring", -3.0, 1), source("ring", 12.5, 2));
         assert_eq!(by_parameters("ring", &a, &[&a, &b]).unwrap(), "ring_radius12p5");

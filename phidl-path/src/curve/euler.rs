@@ -179,6 +179,21 @@ impl Turning for Euler {
         };
         left * self.degrees.signum()
     }
+
+    fn pace(&self, _: f64) -> f64 {
+        self.scale
+    }
+
+    fn place_of(&self, heading: f64, from: f64, to: f64) -> f64 {
+        let joint = self.clothoid * self.clothoid / 2.0;
+        let after = |turned: f64| match turned <= joint {
+            true => (2.0 * turned.max(0.0)).sqrt(),
+            false => self.clothoid + (turned - joint) / self.clothoid,
+        };
+        let (turned, whole) = (heading * self.degrees.signum(), self.degrees.abs().to_radians());
+        let place = if turned <= whole / 2.0 { after(turned) } else { self.length - after(whole - turned) };
+        place.clamp(from, to)
+    }
 }
 
 fn check(radius: f64, degrees: f64, p: f64, use_eff: bool) -> Result<()> {
@@ -206,23 +221,39 @@ fn check(radius: f64, degrees: f64, p: f64, use_eff: bool) -> Result<()> {
 fn fresnel(s: f64) -> Point {
     let t = s / SQRT_2;
     let square = t * t;
+    let fourth = square * square;
     let (mut x, mut y) = (0.0, 0.0);
-    // t^(2m+1) / m!, alternately for x and y.
+    // t^(4k+1).
     let mut power = t;
-    let mut m = 0.0;
-    loop {
+    for [of_x, of_y] in FRESNEL {
         let (before_x, before_y) = (x, y);
-        let sign = if m % 4.0 == 0.0 { 1.0 } else { -1.0 };
-        x += sign * power / (2.0 * m + 1.0);
-        power *= square / (m + 1.0);
-        y += sign * power / (2.0 * m + 3.0);
-        power *= square / (m + 2.0);
-        m += 2.0;
+        x += power * of_x;
+        y += power * square * of_y;
         if x == before_x && y == before_y {
-            return Point::new(x, y) * SQRT_2;
+            break;
         }
+        power *= fourth;
     }
+    Point::new(x, y) * SQRT_2
 }
+
+/// Terms that are enough for [`MOST_DEGREES`]: then t² is 8π, and the first term left out is below 1e-40.
+const TERMS: usize = 64;
+
+/// The factors of t^(4k+1) in x and of t^(4k+3) in y: alternately 1 / ((2m+1) m!) with both signs, for m = 2k, 2k+1.
+static FRESNEL: [[f64; 2]; TERMS] = {
+    let mut factors = [[0.0; 2]; TERMS];
+    let (mut k, mut m, mut factorial, mut sign) = (0, 0.0, 1.0, 1.0);
+    while k < TERMS {
+        let of_x = sign / ((2.0 * m + 1.0) * factorial);
+        factorial *= m + 1.0;
+        let of_y = sign / ((2.0 * m + 3.0) * factorial);
+        factorial *= m + 2.0;
+        factors[k] = [of_x, of_y];
+        (k, m, sign) = (k + 1, m + 2.0, -sign);
+    }
+    factors
+};
 
 #[cfg(test)]
 mod tests {

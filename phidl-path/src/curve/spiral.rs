@@ -192,6 +192,10 @@ impl Turning for Arm {
         let outwards = angle + (self.a + self.b * angle).atan2(self.b);
         if self.to >= self.from { outwards } else { outwards + PI }
     }
+
+    fn pace(&self, t: f64) -> f64 {
+        (self.a + self.b * self.angle(t)).hypot(self.b)
+    }
 }
 
 #[cfg(test)]

@@ -8,18 +8,19 @@ use phidl_core::geom::Point;
 use phidl_core::port::Port;
 use phidl_path::Path;
 
+use super::cover::Wire;
 use super::{corners, crossing, detour, loops};
 use crate::request::{Request, check_positive, round3};
 
 /// How much more than its radius (µm) a bend gets, as the reference has it.
-const MARGIN: f64 = 0.1;
+pub(crate) const MARGIN: f64 = 0.1;
 
 /// Way points at right angles between any two ports turned by a multiple of 90° against each other, with room for a bend
 /// of a radius (µm) at every corner: straight, L, U, J or C, whichever the places of the ports call for.
 ///
 /// Legs between corners are at least `2 · (radius + 0.1)` long, those at the ports `radius + 0.1`. Where it
 /// would cross itself, the shortest line of up to six corners that does not is taken; there is none where, say, the last
-/// leg must cross the first.
+/// leg must cross the first. Nothing is known of widths here; [`route_manhattan`](fn@crate::route_manhattan) minds its own.
 ///
 /// ```
 /// # use phidl_route::path_manhattan;
@@ -38,16 +39,25 @@ pub fn path_manhattan(port1: impl Into<Port>, port2: impl Into<Port>, radius: im
 
 pub(crate) fn manhattan(request: &Request<'_>, radius: f64) -> Result<Vec<Point>> {
     check_positive("path_manhattan", "radius", radius)?;
-    request.check_turn(&[0.0, 90.0, 180.0, 270.0], "be between ports turned by a multiple of 90°")?;
+    check_right_angles(request)?;
     let reach = radius + MARGIN;
-    let points = match request.turn() {
-        90.0 | 270.0 => orthogonal(request, reach),
-        _ => parallel(request, reach),
-    }?;
+    let points = usual(request, reach)?;
     if crossing::crossings(&points) == 0 {
         return Ok(points);
     }
-    Ok(detour::shortest(request, reach).unwrap_or(points))
+    Ok(detour::shortest(request, reach, &mut Wire::sharp(), &[])?.unwrap_or(points))
+}
+
+pub(crate) fn check_right_angles(request: &Request<'_>) -> Result<()> {
+    request.check_turn(&[0.0, 90.0, 180.0, 270.0], "be between ports turned by a multiple of 90°")
+}
+
+/// The usual choice, with as much room at every corner as a bend reaches (µm).
+pub(crate) fn usual(request: &Request<'_>, reach: f64) -> Result<Vec<Point>> {
+    match request.turn() {
+        90.0 | 270.0 => orthogonal(request, reach),
+        _ => parallel(request, reach),
+    }
 }
 
 /// Between ports at a right angle.

@@ -6,13 +6,16 @@ use phidl_path::{ArcBend, Bend, EulerBend, Path};
 
 use crate::request::{check_positive, refused};
 
-/// What a manhattan route does at its corners.
+/// What a manhattan route does at its corners. None is tighter anywhere than the radius that is asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Choice)]
 pub enum RouteBend {
     /// An arc.
     #[default]
     Circular,
-    /// An Euler bend as large as the arc of the radius; its smallest radius is about half of that.
+    /// An Euler bend: the curvature rises to 1/radius and falls. Nearly twice as large as the arc of the radius.
+    ///
+    /// (The specification has bends as large as the arc, which are nearly twice as tight as their radius;
+    /// [`route_smooth`](fn@crate::route_smooth) draws those.)
     Euler,
     /// An arc whose curvature rises and falls in ten steps; about half as large again as the arc of the radius.
     Gradual,
@@ -24,36 +27,31 @@ const STEPS: u32 = 10;
 const RISE: f64 = 15.0;
 
 impl RouteBend {
-    /// How far before its corner the bend of a right angle starts (µm).
-    pub(crate) fn reach(self, radius: f64) -> Result<f64> {
+    /// How far before its corner a bend starts (µm), by the angle (degrees).
+    pub(crate) fn reach(self, radius: f64, angle: f64) -> Result<f64> {
         check_positive("bend", "radius", radius)?;
+        let (sin, cos) = phidl_core::num::angle::sin_cos(angle);
+        let tangent_of_half = sin / (1.0 + cos);
         match self {
-            Self::Circular | Self::Euler => Ok(radius),
-            Self::Gradual => Ok(self.bend(radius, 90.0)?.end().x),
-        }
-    }
-
-    /// The smallest radius on the way round a corner (µm).
-    pub(crate) fn smallest_radius(self, radius: f64, angle: f64) -> Result<f64> {
-        match self {
-            Self::Circular | Self::Gradual => Ok(radius),
-            Self::Euler => smallest_of_euler(EulerBend::new().use_eff(), radius, angle),
+            Self::Circular => Ok(radius * tangent_of_half),
+            // The record of the fewest points that there can be is that of the curve.
+            Self::Euler => Ok(recorded(&EulerBend::new().num_pts(1).path(radius, angle)?, "Reff") * tangent_of_half),
+            Self::Gradual => Ok(self.bend(radius, angle)?.end().norm() / 2.0 / (angle / 2.0).to_radians().cos()),
         }
     }
 }
 
-/// The smallest radius of an Euler bend (µm).
-pub(crate) fn smallest_of_euler(bend: EulerBend, radius: f64, angle: f64) -> Result<f64> {
-    // The fewest points that there can be: only the record is wanted.
-    let recorded = bend.num_pts(1).path(radius, angle)?.info().get("Rmin").and_then(phidl_core::param::Value::as_f64);
-    Ok(recorded.expect("invariant: an Euler bend records its smallest radius"))
+/// A length that an Euler bend records (µm).
+pub(crate) fn recorded(bend: &Path, key: &str) -> f64 {
+    let um = bend.info().get(key).and_then(phidl_core::param::Value::as_f64);
+    um.expect("invariant: an Euler bend records its radii")
 }
 
 impl Bend for RouteBend {
     fn bend(&self, radius: f64, angle: f64) -> Result<Path> {
         match self {
             Self::Circular => ArcBend::new().path(radius, angle),
-            Self::Euler => EulerBend::new().use_eff().path(radius, angle),
+            Self::Euler => EulerBend::new().path(radius, angle),
             Self::Gradual => gradual(radius, angle),
         }
     }
@@ -68,16 +66,25 @@ fn gradual(radius: f64, angle: f64) -> Result<Path> {
         return Err(refused("gradual bend", "angle", format_args!("{angle}°"), rule));
     }
     let step = (RISE / f64::from(STEPS)).copysign(angle);
-    let rise = |n: u32| Path::arc(radius * f64::from(STEPS) / f64::from(n), step);
+    let rise = |n: u32| arc(radius * f64::from(STEPS) / f64::from(n), step);
     let mut path = Path::new();
     for n in 1..=STEPS {
         path.append(rise(n)?);
     }
-    path.append(Path::arc(radius, middle.copysign(angle))?);
+    path.append(arc(radius, middle.copysign(angle))?);
     for n in (1..=STEPS).rev() {
         path.append(rise(n)?);
     }
     Ok(path)
+}
+
+/// An arc whose chords turn by half a degree, or as little less as it takes. Chords of one bend must turn alike: a short
+/// one between long ones is cut off more than its length on the inner edge of a wide wire.
+fn arc(radius: f64, angle: f64) -> Result<Path> {
+    const CHORD: f64 = 0.5;
+    let points = (angle.abs() / CHORD).ceil() + 1.0;
+    // Half a point more than it takes: what is cut off of a count is never a whole one.
+    ArcBend::new().num_pts((points + 0.5) * 360.0 / angle.abs()).path(radius, angle)
 }
 
 #[cfg(test)]
@@ -108,15 +115,14 @@ mod tests {
     fn reaches_are_those_of_the_bends() {
         for bend in [RouteBend::Circular, RouteBend::Euler, RouteBend::Gradual] {
             let path = bend.bend(7.0, 90.0).unwrap();
-            assert!((bend.reach(7.0).unwrap() - path.end().x).abs() < 1e-9);
+            assert!((bend.reach(7.0, 90.0).unwrap() - path.end().x).abs() < 1e-9);
         }
-        assert!(RouteBend::Gradual.bend(7.0, 20.0).is_err() && RouteBend::Gradual.reach(-1.0).is_err());
+        assert!(RouteBend::Gradual.bend(7.0, 20.0).is_err() && RouteBend::Gradual.reach(-1.0, 90.0).is_err());
     }
 
     #[test]
-    fn an_euler_bend_is_tighter_than_the_arc_of_its_size() {
-        // Of the specification: a bend of smallest radius 3 that turns by 90° ends at (5.61, 5.61).
-        let smallest = RouteBend::Euler.smallest_radius(5.610_287_54, 90.0).unwrap();
-        assert!((smallest - 3.0).abs() < 1e-6, "{smallest}");
+    fn an_euler_bend_reaches_as_far_as_the_specification_says() {
+        // A bend of smallest radius 3 that turns by 90° ends at (5.61, 5.61).
+        assert!((RouteBend::Euler.reach(3.0, 90.0).unwrap() - 5.610_287_54).abs() < 1e-8);
     }
 }

@@ -1,4 +1,4 @@
-//! Where lines cross themselves or one another.
+//! Where lines without width cross themselves: what decides between the reference's way points and others.
 
 use phidl_core::geom::Point;
 
@@ -10,12 +10,6 @@ pub(crate) fn crossings(points: &[Point]) -> usize {
     let legs: Vec<[Point; 2]> = points.windows(2).map(|leg| [leg[0], leg[1]]).collect();
     let apart = |i: usize| legs.get(i + 2..).unwrap_or(&[]);
     legs.iter().enumerate().map(|(i, leg)| apart(i).iter().filter(|other| cross(*leg, **other)).count()).sum()
-}
-
-/// Whether a leg crosses or covers one of the legs of a line, the last one aside.
-pub(crate) fn crosses_before(leg: [Point; 2], line: &[Point]) -> bool {
-    let before = &line[..line.len() - 1];
-    before.windows(2).any(|other| cross(leg, [other[0], other[1]]))
 }
 
 /// Whether two legs cross within both, or lie on each other.
@@ -34,28 +28,6 @@ fn cross(a: [Point; 2], b: [Point; 2]) -> bool {
     let (from, to) = (between.dot(along_a), (b[1] - a[0]).dot(along_a));
     let shared = from.max(to).min(length_a) - from.min(to).max(0.0);
     between.cross(along_a).abs() <= NOISE && shared > NOISE
-}
-
-/// The smallest distance between two lines (µm).
-pub(crate) fn distance(a: &[Point], b: &[Point]) -> f64 {
-    let legs = a.windows(2).flat_map(|leg| b.windows(2).map(move |other| ([leg[0], leg[1]], [other[0], other[1]])));
-    legs.map(|(leg, other)| leg_distance(leg, other)).fold(f64::INFINITY, f64::min)
-}
-
-fn leg_distance(a: [Point; 2], b: [Point; 2]) -> f64 {
-    if cross(a, b) {
-        return 0.0;
-    }
-    let ends = [to_leg(a[0], b), to_leg(a[1], b), to_leg(b[0], a), to_leg(b[1], a)];
-    ends.into_iter().fold(f64::INFINITY, f64::min)
-}
-
-/// Distance of a point from a leg.
-fn to_leg(point: Point, leg: [Point; 2]) -> f64 {
-    let (along, out) = (leg[1] - leg[0], point - leg[0]);
-    let square = along.dot(along);
-    let t = if square > 0.0 { (out.dot(along) / square).clamp(0.0, 1.0) } else { 0.0 };
-    point.distance(leg[0] + along * t)
 }
 
 #[cfg(test)]
@@ -82,13 +54,5 @@ mod tests {
             let turned: Vec<Point> = crossed.iter().map(|p| turn.apply(*p + Point::new(1e4, 3e3))).collect();
             assert_eq!(crossings(&turned), 1);
         }
-    }
-
-    #[test]
-    fn distances_are_measured_between_the_nearest_points() {
-        let a = line(&[(0., 0.), (10., 0.)]);
-        assert_eq!(distance(&a, &line(&[(13., 4.), (20., 9.)])), 5.0);
-        assert_eq!(distance(&a, &line(&[(5., 2.), (5., 9.)])), 2.0);
-        assert_eq!(distance(&a, &line(&[(5., -2.), (5., 9.)])), 0.0);
     }
 }

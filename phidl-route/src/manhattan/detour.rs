@@ -1,34 +1,80 @@
-//! The way round where the usual choice crosses itself.
+//! The way round where the usual choice runs over itself.
 //!
 //! All lines of up to six corners are tried whose legs lie on a small set of coordinates: those of the two ports and up
-//! to four reaches beside them. A maze router on a finer grid could find a way in more placements, but its lines would
-//! jump from one placement to the next; and where the ports are so close that these do not do, the drawn wires would
-//! touch whatever the line does.
+//! to four reaches beside them. A maze router on a finer grid would find shorter ways now and then, but its lines would
+//! jump from one placement to the next, and it would find one in no more placements: neither two more corners nor half
+//! the step do (a test tries). Where there is no way, it is between the two ports that there is no room.
 
+use phidl_core::Result;
 use phidl_core::geom::Point;
 
-use super::crossing;
-use crate::request::Request;
+use super::cover::{Piece, Wire};
+use crate::request::{Request, left_of};
 
 /// Legs may be this much too short (µm): rounding.
 const ROOM: f64 = 1e-9;
 
-/// The shortest line with the fewest corners that does not cross itself, with room for bends that reach so far (µm).
-pub(crate) fn shortest(request: &Request<'_>, reach: f64) -> Option<Vec<Point>> {
-    let goal = Point::new(request.ahead(), request.aside());
-    // Exact, since the ports are turned by a multiple of 90° but for noise.
-    let enter = -Point::polar(1.0, request.turn());
-    let fewest = if enter.x == 0.0 { 1 } else { 2 };
-    let line = (fewest..=6).step_by(2).find_map(|corners| Search::new(goal, enter, reach, corners).run())?;
-    let start = request.port1.midpoint();
-    let place = |p: &Point| start + request.forward1 * p.x + request.left1 * p.y;
-    let mut points: Vec<Point> = line.iter().map(place).collect();
-    *points.last_mut()? = request.port2.midpoint();
-    Some(points)
+/// Which lines are tried.
+struct Lines {
+    /// The most corners that they have.
+    corners: usize,
+    /// Where their legs may lie, in reaches beside a port; of lines that are equally long the first is taken.
+    beside: &'static [f64],
 }
 
-/// A search in the frame of the first port, depth first; what is already longer than the best is cut off.
-struct Search {
+const USUAL: Lines = Lines { corners: 6, beside: &[1.0, -1.0, 2.0, -2.0, 3.0, -3.0, 4.0, -4.0, 0.0] };
+
+/// The shortest line with the fewest corners on which a wire does not run over itself or over an obstacle. Legs have room
+/// for bends that reach so far (µm). Obstacles are in the frame of the first port.
+pub(crate) fn shortest(
+    request: &Request<'_>,
+    reach: f64,
+    wire: &mut Wire,
+    obstacles: &[Piece],
+) -> Result<Option<Vec<Point>>> {
+    shortest_of(&USUAL, request, reach, wire, obstacles)
+}
+
+fn shortest_of(
+    tried: &Lines,
+    request: &Request<'_>,
+    reach: f64,
+    wire: &mut Wire,
+    obstacles: &[Piece],
+) -> Result<Option<Vec<Point>>> {
+    let goal = request.seen(request.port2.midpoint());
+    // Exact, since the ports are turned by a multiple of 90° but for noise.
+    let enter = -Point::polar(1.0, request.turn());
+    let lines = [goal.x, goal.y].map(|coordinate| beside(tried, coordinate, reach));
+    let (line, pieces, last) = (Vec::new(), Vec::new(), [goal, enter]);
+    let mut search = Search { goal, enter, reach, lines, corners: 0, wire, obstacles, last, line, pieces, best: None };
+    let fewest = if enter.x == 0.0 { 1 } else { 2 };
+    for corners in (fewest..=tried.corners).step_by(2) {
+        search.corners = corners;
+        if let Some(line) = search.run()? {
+            let start = request.port1.midpoint();
+            let place = |p: &Point| start + request.forward1 * p.x + request.left1 * p.y;
+            let corners = line[..line.len() - 1].iter().map(place);
+            return Ok(Some(corners.chain([request.port2.midpoint()]).collect()));
+        }
+    }
+    Ok(None)
+}
+
+/// Coordinates on which legs may lie: beside the first port, at 0, and beside the second.
+fn beside(tried: &Lines, coordinate: f64, reach: f64) -> Vec<f64> {
+    let mut lines: Vec<f64> = Vec::with_capacity(2 * tried.beside.len());
+    for line in tried.beside.iter().flat_map(|step| [step * reach, coordinate + step * reach]) {
+        if lines.iter().all(|known| (known - line).abs() > ROOM) {
+            lines.push(line);
+        }
+    }
+    lines
+}
+
+/// A search in the frame of the first port, depth first; what is already longer than the best is cut off. The last corner
+/// is chosen first, for it is between the two ends that there is no room.
+struct Search<'a> {
     goal: Point,
     /// Direction in which the goal is entered.
     enter: Point,
@@ -36,62 +82,120 @@ struct Search {
     /// Coordinates on which legs may lie: of x, and of y.
     lines: [Vec<f64>; 2],
     corners: usize,
+    wire: &'a mut Wire,
+    obstacles: &'a [Piece],
+    /// The last corner, and the direction in which it is reached.
+    last: [Point; 2],
+    /// The corners so far, from the start on.
+    line: Vec<Point>,
+    /// What the wire covers so far, at its end and from its start on.
+    pieces: Vec<Piece>,
     best: Option<(f64, Vec<Point>)>,
 }
 
-impl Search {
-    fn new(goal: Point, enter: Point, reach: f64, corners: usize) -> Self {
-        let beside = |coordinate: f64| {
-            let steps = [1.0, -1.0, 2.0, -2.0, 3.0, -3.0, 4.0, -4.0, 0.0];
-            steps.into_iter().flat_map(move |step| [step * reach, coordinate + step * reach]).collect()
-        };
-        Self { goal, enter, reach, lines: [beside(goal.x), beside(goal.y)], corners, best: None }
-    }
-
-    fn run(mut self) -> Option<Vec<Point>> {
-        self.extend(&mut vec![Point::ORIGIN], 0.0);
-        self.best.map(|(_, line)| line)
-    }
-
-    /// Adds every corner that may come next; the last one lies on the axis of the goal.
-    fn extend(&mut self, line: &mut Vec<Point>, length: f64) {
-        let leg = line.len() - 1;
-        if leg == self.corners {
-            return self.finish(line, length);
-        }
-        let along_x = leg.is_multiple_of(2);
-        let goal = if along_x { self.goal.x } else { self.goal.y };
-        let choices = if leg + 1 == self.corners { vec![goal] } else { self.lines[leg % 2].clone() };
-        for to in choices {
-            let from = line[leg];
-            let next = if along_x { Point::new(to, from.y) } else { Point::new(from.x, to) };
-            let long_enough =
-                if leg == 0 { to >= self.reach - ROOM } else { from.distance(next) >= 2.0 * self.reach - ROOM };
-            if long_enough {
-                self.step(line, next, length);
+impl Search<'_> {
+    /// The best line with so many corners.
+    fn run(&mut self) -> Result<Option<Vec<Point>>> {
+        let (enter, across) = (self.enter, left_of(self.enter));
+        let bend = self.wire.reach(across, enter)?;
+        for corner in self.last_corners() {
+            for arrive in [across, -across] {
+                self.last = [corner, arrive];
+                self.line = vec![Point::ORIGIN];
+                let end = [
+                    self.wire.leg(self.corners, corner + enter * bend, self.goal),
+                    self.wire.corner(self.corners, corner, arrive, enter)?,
+                ];
+                if end.iter().all(|piece| self.is_clear(piece)) {
+                    self.pieces.extend(end);
+                    self.extend(0.0)?;
+                }
+                self.pieces.clear();
             }
         }
+        Ok(self.best.take().map(|(_, line)| line))
     }
 
-    fn step(&mut self, line: &mut Vec<Point>, next: Point, length: f64) {
-        let from = line[line.len() - 1];
-        let length = length + from.distance(next);
-        let rest = self.goal - next;
-        if self.improves(length + rest.x.abs() + rest.y.abs()) && !crossing::crosses_before([from, next], line) {
-            line.push(next);
-            self.extend(line, length);
-            line.pop();
-        }
+    /// The corners from which the goal may be entered.
+    fn last_corners(&self) -> Vec<Point> {
+        let (goal, enter) = (self.goal, self.enter);
+        let lines = if enter.x == 0.0 { &self.lines[1] } else { &self.lines[0] };
+        let corner = |line: &f64| if enter.x == 0.0 { Point::new(goal.x, *line) } else { Point::new(*line, goal.y) };
+        let far_enough = |corner: &Point| (goal - *corner).dot(enter) >= self.reach - ROOM;
+        lines.iter().map(corner).filter(far_enough).collect()
     }
 
-    fn finish(&mut self, line: &[Point], length: f64) {
-        let from = line[line.len() - 1];
-        let last = self.goal - from;
-        let length = length + last.norm();
-        let entered = last.dot(self.enter) >= self.reach - ROOM;
-        if entered && self.improves(length) && !crossing::crosses_before([from, self.goal], line) {
-            self.best = Some((length, [line, &[self.goal]].concat()));
+    /// Adds every corner that may come next; the one before the last lies on the leg that leads there.
+    fn extend(&mut self, length: f64) -> Result<()> {
+        let leg = self.line.len() - 1;
+        let [last, arrive] = self.last;
+        if leg + 1 == self.corners {
+            let ahead = (last - self.line[leg]).dot(arrive);
+            let straight = (last - self.line[leg]).cross(arrive).abs() <= ROOM;
+            return if straight && ahead > 0.0 { self.step(last, length) } else { Ok(()) };
         }
+        let from = self.line[leg];
+        let along_x = leg.is_multiple_of(2);
+        let choices = match leg + 2 == self.corners {
+            true => vec![if along_x { last.x } else { last.y }],
+            false => self.lines[leg % 2].clone(),
+        };
+        for to in choices {
+            self.step(if along_x { Point::new(to, from.y) } else { Point::new(from.x, to) }, length)?;
+        }
+        Ok(())
+    }
+
+    /// Goes on from a corner if its leg is long enough and lies on nothing, and if the line can still be the shortest.
+    fn step(&mut self, next: Point, length: f64) -> Result<()> {
+        let leg = self.line.len() - 1;
+        let from = self.line[leg];
+        let own = from.distance(next);
+        let long_enough = if leg == 0 { next.x >= self.reach - ROOM } else { own >= 2.0 * self.reach - ROOM };
+        let rest = self.last[0] - next;
+        let shortest = length + own + rest.x.abs() + rest.y.abs() + self.last[0].distance(self.goal);
+        if !long_enough || !self.improves(shortest) {
+            return Ok(());
+        }
+        let covered = self.pieces.len();
+        self.line.push(next);
+        if self.cover_last_leg()? {
+            if leg + 1 == self.corners {
+                self.best = Some((shortest, [&self.line[..], &[self.goal]].concat()));
+            } else {
+                self.extend(length + own)?;
+            }
+        }
+        self.line.pop();
+        self.pieces.truncate(covered);
+        Ok(())
+    }
+
+    /// Adds the last leg so far, between two corners, and the bend before it, if they lie on nothing.
+    fn cover_last_leg(&mut self) -> Result<bool> {
+        let leg = self.line.len() - 2;
+        let (from, to) = (self.line[leg], self.line[leg + 1]);
+        let along = (to - from) / from.distance(to);
+        let bend = self.wire.reach(along, left_of(along))?;
+        let start = if leg == 0 { from } else { from + along * bend };
+        let straight = self.wire.leg(leg, start, to - along * bend);
+        if !self.is_clear(&straight) {
+            return Ok(false);
+        }
+        self.pieces.push(straight);
+        if leg == 0 {
+            return Ok(true);
+        }
+        let before = (from - self.line[leg - 1]) / from.distance(self.line[leg - 1]);
+        let corner = self.wire.corner(leg, from, before, along)?;
+        let clear = self.is_clear(&corner);
+        self.pieces.push(corner);
+        Ok(clear)
+    }
+
+    fn is_clear(&self, piece: &Piece) -> bool {
+        !self.obstacles.iter().any(|obstacle| obstacle.overlaps(piece))
+            && !self.pieces.iter().any(|other| piece.lies_on(other))
     }
 
     /// Whether a length is less than that of the best line by more than rounding: of lines that are equally long, the
@@ -104,26 +208,51 @@ impl Search {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::manhattan::RouteBend;
     use crate::manhattan::crossing::crossings;
     use phidl_core::port::Port;
 
+    /// Placements all around a port that looks up.
+    fn placements(most: i32) -> impl Iterator<Item = [Port; 2]> {
+        let places = (-most..=most).flat_map(move |x| (-most..=most).map(move |y| (x, y)));
+        let ports = |(x, y)| (0..4).map(move |turn| [Port::new((3, 1), 2, 90), Port::new((x, y), 2, 90 * turn)]);
+        places.flat_map(ports)
+    }
+
     #[test]
     fn lines_have_room_for_their_bends_and_do_not_cross() {
-        let a = Port::new((3, 1), 1, 90);
         let mut found = 0;
-        for (x, y) in (-12..=12).flat_map(|x| (-12..=12).map(move |y| (f64::from(x), f64::from(y)))) {
-            for orientation in [0, 90, 180, 270] {
-                let b = Port::new((x, y), 1, orientation);
-                let request = Request::new("test", &a, &b).unwrap();
-                let Some(line) = shortest(&request, 3.0) else { continue };
-                let lengths: Vec<f64> = line.windows(2).map(|leg| leg[0].distance(leg[1])).collect();
-                assert!(lengths.iter().all(|length| *length >= 3.0 - 1e-9), "{line:?}");
-                assert!(lengths[1..lengths.len() - 1].iter().all(|length| *length >= 6.0 - 1e-9), "{line:?}");
-                assert_eq!(crossings(&line), 0);
-                request.check_way(&line).unwrap();
-                found += 1;
-            }
+        for [a, b] in placements(12) {
+            let request = Request::new("test", &a, &b).unwrap();
+            let Some(line) = shortest(&request, 3.0, &mut Wire::sharp(), &[]).unwrap() else { continue };
+            let lengths: Vec<f64> = line.windows(2).map(|leg| leg[0].distance(leg[1])).collect();
+            assert!(lengths.iter().all(|length| *length >= 3.0 - 1e-9), "{line:?}");
+            assert!(lengths[1..lengths.len() - 1].iter().all(|length| *length >= 6.0 - 1e-9), "{line:?}");
+            assert_eq!(crossings(&line), 0);
+            request.check_way(&line).unwrap();
+            found += 1;
         }
         assert!(found > 2000, "{found} of 2500 placements have a way round");
+    }
+
+    #[test]
+    fn more_corners_and_a_finer_grid_find_a_way_in_no_more_placements() {
+        const FINE: [f64; 17] =
+            [1.0, -1.0, 1.5, -1.5, 2.0, -2.0, 2.5, -2.5, 3.0, -3.0, 3.5, -3.5, 4.0, -4.0, 5.0, -5.0, 0.0];
+        let (mut none, mut found) = (0, 0);
+        for [a, b] in placements(4) {
+            let request = Request::new("test", &a, &b).unwrap();
+            let mut wire = Wire::bent(2.0, RouteBend::Circular, 3.0);
+            if shortest(&request, 3.1, &mut wire, &[]).unwrap().is_some() {
+                found += 1;
+                continue;
+            }
+            for more in [Lines { corners: 8, ..USUAL }, Lines { corners: 6, beside: &FINE }] {
+                let line = shortest_of(&more, &request, 3.1, &mut wire, &[]).unwrap();
+                assert_eq!(line, None, "from {a} to {b}");
+            }
+            none += 1;
+        }
+        assert!(none > 20 && found > 20, "{none} without a way, {found} with one");
     }
 }

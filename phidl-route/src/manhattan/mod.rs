@@ -2,8 +2,10 @@
 
 mod auto;
 mod bend;
+mod clear;
 mod corners;
-pub(crate) mod crossing;
+mod cover;
+mod crossing;
 mod detour;
 mod loops;
 mod route;
@@ -11,12 +13,13 @@ mod route;
 pub(crate) use auto::manhattan;
 pub use auto::path_manhattan;
 pub use bend::RouteBend;
-pub(crate) use bend::smallest_of_euler;
+pub(crate) use bend::recorded;
+pub(crate) use clear::{Led, Site};
 pub(crate) use corners::{l, straight, v, z};
 pub use corners::{path_l, path_straight, path_v, path_z};
 pub(crate) use loops::{c, j, u};
 pub use loops::{path_c, path_j, path_u};
+pub(crate) use route::bent;
 pub use route::{
     RouteManhattanAutoParams, RouteManhattanParams, manhattan_centerline, route_manhattan, route_manhattan_auto,
 };
-pub(crate) use route::{bent, way_points};

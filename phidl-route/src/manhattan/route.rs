@@ -5,13 +5,15 @@ use phidl_core::prelude::*;
 use phidl_macros::device;
 use phidl_path::Path;
 
-use super::{RouteBend, crossing, manhattan};
+use super::RouteBend;
+use super::clear::{Led, Site};
+use super::cover::Piece;
 use crate::draw::Drawing;
-use crate::request::{Request, refused, title};
+use crate::request::{Request, micrometers, refused, title};
 use crate::way::turns;
 use crate::width::RouteWidth;
 
-/// Routes may come this close (µm) to where they would touch: rounding.
+/// Routes may lie on one another by this much (µm): rounding.
 const NOISE: f64 = 1e-6;
 
 /// Draws a wire of straight pieces and bends between two ports turned by a multiple of 90° against each other, wherever
@@ -23,30 +25,35 @@ const NOISE: f64 = 1e-6;
 ///                   ┴ port2
 /// ```
 ///
-/// The way points are those of [`path_manhattan`](super::path_manhattan), with as much room as the bends need.
+/// The way points are those of [`path_manhattan`](super::path_manhattan), with as much room as the bends need, wherever
+/// the wire as it is drawn is clear of itself and of what lies behind the ports (taken for a piece of wire as wide as the
+/// port and as long as a bend reaches). Elsewhere it is the shortest clear way of up to six corners.
 ///
 /// # Ports
 /// `1` on `port1` and `2` on `port2`, facing them, as wide as `port1`.
 ///
 /// # Info
-/// `length` (µm), `bends`, `smallest_radius` (µm; null without a bend), and `crossings`: how often the route crosses
-/// itself, which is only where the ports are so close that no line of up to six corners can do without.
+/// `length` (µm); `bends`; `smallest_radius` (µm; null without a bend), which is `radius`; and 0 for a sound route:
+/// `crossings`, how many pairs of its straight pieces and bends lie on one another, and `over_ports`, over how many of the
+/// two ports' pieces it runs. They are more only where the ports are closer together than a few bends, so that there is no
+/// way without.
 ///
 /// # Errors
-/// The ports must be at right angles to each other (to 0.0005°), the smallest radius at least half the width, so
-/// that no inner edge folds back.
+/// The ports must be at right angles to each other (to 0.0005°), the radius at least half the width, so that no inner
+/// edge folds back.
 ///
 /// # Examples
 /// ```
 /// # use phidl_core::prelude::*;
 /// # use phidl_route::{RouteBend, route_manhattan};
-/// let wire = route_manhattan(((0, 0), 2, 0), ((80, -30), 2, 0), RouteBend::Euler, 10, 1)?;
+/// let wire = route_manhattan(((0, 0), 2, 0), ((80, -50), 2, 0), RouteBend::Euler, 10, 1)?;
 /// assert_eq!(wire.info()["bends"].as_f64(), Some(2.0));
 /// # Ok::<(), Error>(())
 /// ```
 ///
 /// # Source
-/// Own design, compatible with PHIDL 1.5's `route_manhattan` in parameters, ports and bends.
+/// Own design, compatible with PHIDL 1.5's `route_manhattan` in parameters, ports and bends, but for the size of Euler
+/// bends: see [`RouteBend::Euler`].
 #[device(picture = "docs/route_manhattan.svg", example = RouteManhattanParams::new(((0, 0), 2, 0), ((80, -30), 2, 0)))]
 pub fn route_manhattan(
     /// Where it starts; its width is that of the route.
@@ -56,7 +63,7 @@ pub fn route_manhattan(
     /// What is drawn at the corners.
     #[default(RouteBend::Circular)]
     bend: RouteBend,
-    /// Radius of the bends: of the centerline; effective for Euler bends, smallest for gradual ones.
+    /// Smallest radius of the bends, on the centerline.
     #[default(20.0)]
     #[param(unit = "um", above = 0.0)]
     radius: f64,
@@ -65,24 +72,25 @@ pub fn route_manhattan(
     layer: Layers,
 ) -> Result<Device> {
     let request = Request::new("route_manhattan", &port1, &port2)?;
-    let points = way_points(&request, bend, radius)?;
-    let mut d = bent(&request, &points, bend, radius, &layer)?;
-    d.info("crossings", crossing::crossings(&points));
-    d.build()
+    let led = Site::new(&request, bend, radius)?.led()?;
+    bent(&request, &led, bend, radius, &layer)?.build()
 }
 
 /// Draws wires between ports taken in pairs, the first to the second, the third to the fourth, each as
 /// [`route_manhattan`](fn@route_manhattan) draws it.
 ///
+/// Every pair is routed as if it were alone: a wire does not go around another one, so that it stays where it is when a
+/// pair is added. What they do to one another is checked afterwards, as they are drawn.
+///
 /// # Ports
 /// `1`, `2`, `3`, …: one on each of the ports, in their order, facing it.
 ///
 /// # Info
-/// `length` and `bends`, of all routes together, and `smallest_radius`.
+/// `length`, `bends`, `crossings` and `over_ports`, of all routes together, and `smallest_radius`.
 ///
 /// # Errors
-/// The number of ports must be even. Routes that would touch one another are refused with the ports of both, unless
-/// `allow_crossings` is set. What refuses a single route refuses all.
+/// The number of ports must be even. Routes that would run over one another are refused with the ports of both and by how
+/// much they would have to be apart, unless `allow_crossings` is set. What refuses a single route refuses all.
 ///
 /// # Examples
 /// ```
@@ -90,7 +98,7 @@ pub fn route_manhattan(
 /// # use phidl_route::{RouteBend, route_manhattan_auto};
 /// let ports = [((0, 0), 2, 0), ((90, 50), 2, 180), ((0, -10), 2, 0), ((90, 20), 2, 180)];
 /// let error = route_manhattan_auto(ports, RouteBend::Circular, 10, 1).unwrap_err();
-/// assert!(error.to_string().contains("not touch the route from"));
+/// assert!(error.to_string().contains("not run over the route from"));
 /// # Ok::<(), Error>(())
 /// ```
 ///
@@ -110,7 +118,7 @@ pub fn route_manhattan_auto(
     /// Where it is drawn.
     #[default(0)]
     layer: Layers,
-    /// Whether routes may cross or touch one another.
+    /// Whether routes may run over one another.
     #[default(false)]
     #[param(named)]
     allow_crossings: bool,
@@ -124,19 +132,24 @@ pub fn route_manhattan_auto(
         check_apart(pairs, bend, radius)?;
     }
     let mut d = Device::builder(NAME);
-    let (mut length, mut bends, mut smallest) = (0.0, 0, None);
+    let (mut length, mut smallest, mut counts) = (0.0, None, [("bends", 0), ("crossings", 0), ("over_ports", 0)]);
     for (pair, [port1, port2]) in pairs.iter().enumerate() {
         let route = route_manhattan(port1, port2, bend, radius, &layer)?;
         let recorded = |key: &str| route.info().get(key).and_then(Value::as_f64);
         length += recorded("length").unwrap_or_default();
-        bends += route.info().get("bends").map_or(0, |v| i64::from_value(v).unwrap_or_default());
         smallest = smallest.into_iter().chain(recorded("smallest_radius")).reduce(f64::min);
+        for (key, count) in &mut counts {
+            *count += route.info().get(*key).map_or(0, |v| i64::from_value(v).unwrap_or_default());
+        }
         for (i, name) in ["1", "2"].into_iter().enumerate() {
             d.add_port((2 * pair + i + 1).to_string(), route.port(name)?)?;
         }
         d.add(route);
     }
-    d.info("length", length).info("bends", bends).info("smallest_radius", smallest);
+    d.info("length", length).info("smallest_radius", smallest);
+    for (key, count) in counts {
+        d.info(key, count);
+    }
     d.build()
 }
 
@@ -160,60 +173,55 @@ pub fn manhattan_centerline(
 ) -> Result<Path> {
     let (port1, port2, radius) = (port1.into(), port2.into(), radius.into());
     let request = Request::new("manhattan_centerline", &port1, &port2)?;
-    Path::smooth(way_points(&request, bend, radius)?, radius, bend)
-}
-
-/// Way points with room for bends.
-pub(crate) fn way_points(request: &Request<'_>, bend: RouteBend, radius: f64) -> Result<Vec<Point>> {
-    let points = manhattan(request, bend.reach(radius)?)?;
-    request.check_way(&points)?;
-    Ok(points)
+    Path::smooth(Site::new(&request, bend, radius)?.led()?.points, radius, bend)
 }
 
 /// Way points with bends at their corners, drawn as wide as the first port.
 pub(crate) fn bent(
     request: &Request<'_>,
-    points: &[Point],
+    led: &Led,
     bend: RouteBend,
     radius: f64,
     layer: &Layers,
 ) -> Result<DeviceBuilder> {
-    let turns = turns(points);
-    let radii = turns.iter().map(|turn| bend.smallest_radius(radius, *turn)).collect::<Result<Vec<_>>>()?;
-    let smallest_radius = radii.into_iter().reduce(f64::min);
-    let half_width = request.port1.width() / 2.0;
-    if let Some(smallest) = smallest_radius {
+    let bends = turns(&led.points).len();
+    if bends > 0 {
         // Beyond this the inner edge folds back.
-        request.check_room("a smallest radius", smallest, half_width)?;
+        request.check_room("a radius", radius, request.port1.width() / 2.0)?;
     }
     let drawing = Drawing {
         what: request.what(),
-        path: &Path::smooth(points, radius, bend)?,
+        path: &Path::smooth(&led.points, radius, bend)?,
+        finer: None,
         layer,
         width: Some(&RouteWidth::Constant(request.port1.width())),
-        bends: turns.len(),
-        smallest_radius,
+        bends,
+        smallest_radius: (bends > 0).then_some(radius),
     };
-    drawing.between_ports(request)
+    let mut d = drawing.between_ports(request)?;
+    d.info("crossings", led.crossings).info("over_ports", led.over_ports);
+    Ok(d)
 }
 
-/// Refuses routes that touch one another: legs closer than half the sum of their widths.
+/// Refuses routes that lie on one another.
 fn check_apart(pairs: &[[Port; 2]], bend: RouteBend, radius: f64) -> Result<()> {
     const NAME: &str = "route_manhattan_auto";
-    let mut lines: Vec<(&[Port; 2], Vec<Point>)> = Vec::with_capacity(pairs.len());
+    let mut wires: Vec<(&[Port; 2], Vec<Piece>)> = Vec::with_capacity(pairs.len());
     for pair in pairs {
         let request = Request::new(NAME, &pair[0], &pair[1])?;
-        let line = way_points(&request, bend, radius)?;
-        for (other, before) in &lines {
-            let apart = crossing::distance(&line, before);
-            let least = (pair[0].width() + other[0].width()) / 2.0;
-            if apart < least - NOISE {
-                let route = format!("not touch the route from {}", title("a port", &other[0]));
-                let rule = format!("{route} to {}: {} µm are missing", title("one", &other[1]), least - apart);
-                return Err(request.refused(format_args!("{apart} µm from another"), rule));
+        let mut site = Site::new(&request, bend, radius)?;
+        let points = site.led()?.points;
+        let pieces = site.cover(&points)?;
+        for (other, before) in &wires {
+            let depths = pieces.iter().flat_map(|piece| before.iter().map(|other| piece.depth(other)));
+            let depth = depths.fold(0.0, f64::max);
+            if depth > NOISE {
+                let route = format!("not run over the route from {}", title("a port", &other[0]));
+                let rule = format!("{route} to {}: {} are missing", title("one", &other[1]), micrometers(depth));
+                return Err(request.refused("over another one", rule));
             }
         }
-        lines.push((pair, line));
+        wires.push((pair, pieces));
     }
     Ok(())
 }
@@ -238,9 +246,36 @@ mod tests {
         let ports: Vec<Port> =
             [(0, 0, 0), (60, 0, 180), (30, 30, 270), (30, -30, 90)].map(|(x, y, o)| Port::new((x, y), 2, o)).into();
         let error = route_manhattan_auto(ports.clone(), RouteBend::Circular, 10, 1).unwrap_err();
-        assert!(error.to_string().contains("0 µm from another, but it must not touch the route from a port at (0, 0)"));
+        assert!(
+            error.to_string().contains("over another one, but it must not run over the route from a port at (0, 0)")
+        );
+        assert!(error.to_string().ends_with("2 µm are missing"), "{error}");
         let params = RouteManhattanAutoParams::new(ports).allow_crossings(true);
         assert_eq!(params.build().unwrap().references().len(), 2);
+    }
+
+    #[test]
+    fn a_pair_is_routed_as_if_it_were_alone() {
+        // The second wire could pass below the first, but it is the one that it would be without the first.
+        let ports: [Port; 4] =
+            [(0, 0, 0), (90, 50, 180), (0, -10, 0), (90, 20, 180)].map(|(x, y, o)| Port::new((x, y), 2, o));
+        let both = RouteManhattanAutoParams::new(ports.to_vec()).radius(10).allow_crossings(true).build().unwrap();
+        let alone = RouteManhattanParams::new(&ports[2], &ports[3]).radius(10).build().unwrap();
+        let second = &both.references()[1];
+        assert!(second.device().same_cell(&alone));
+    }
+
+    #[test]
+    fn wires_are_apart_as_they_are_drawn_and_not_as_their_way_points_are() {
+        // Two nested corners: the way points are 3 µm apart and the bends nearly √2 times as much.
+        let nested = |width: f64| {
+            let ports = [((0, 0), width, 0), ((60, 60), width, 270), ((0, 3), width, 0), ((57, 60), width, 270)];
+            route_manhattan_auto(ports, RouteBend::Circular, 20, 1)
+        };
+        assert!(nested(2.9).is_ok() && nested(3.1).is_err());
+        // One wire ends in the corner that the bend of the other one cuts off.
+        let ports = [((0, 0), 2, 0), ((60, 60), 2, 270), ((100, 2), 2, 180), ((56, 2), 2, 0)];
+        assert!(route_manhattan_auto(ports, RouteBend::Circular, 20, 1).is_ok());
     }
 
     #[test]
@@ -264,6 +299,6 @@ mod tests {
         let to = |width: i32| route_manhattan(((0, 0), width, 0), ((50, 50), 1, 270), RouteBend::Circular, 5, 0);
         assert!(to(10).is_ok());
         let error = to(11).unwrap_err().to_string();
-        assert!(error.contains("a smallest radius of 5 µm, but it must have at least 5.5 µm: 0.5 µm are"), "{error}");
+        assert!(error.contains("a radius of 5 µm, but it must have at least 5.5 µm: 0.5 µm are"), "{error}");
     }
 }

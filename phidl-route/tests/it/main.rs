@@ -1,6 +1,6 @@
 //! Integration tests of the routes.
 
-mod example;
+mod examples;
 mod golden;
 mod hashes;
 mod laws;

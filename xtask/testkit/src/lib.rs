@@ -6,5 +6,6 @@
 pub mod domain;
 pub mod golden;
 pub mod laws;
+pub mod loads;
 pub mod scenes;
 pub mod strategies;

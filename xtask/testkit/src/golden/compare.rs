@@ -7,8 +7,10 @@ use phidl_core::prelude::*;
 use serde::Deserialize;
 use serde_json::Value as Json;
 
+use super::Case;
+use super::condition::parameter;
+use super::differences::{Difference, Instead, differences};
 use super::region::{agree_on_grid, merged_area, xor_area};
-use super::{Case, differences};
 
 /// How far a point may be from the reference's (µm), as the design promises.
 const POINT_TOLERANCE: f64 = 1e-6;
@@ -58,6 +60,8 @@ const SET_PRECISION: f64 = 1e-4;
 enum Extent {
     /// Points in order, hash, box, ports and info.
     All,
+    /// Points in order, box, ports and info: the hash cuts coordinates off, so that a hair may change it.
+    Points,
     /// The covered region, ports and info.
     Region,
     /// The covered region and the box to some steps of this grid (µm), ports and info.
@@ -68,14 +72,36 @@ enum Extent {
     Ports,
 }
 
+impl Extent {
+    /// What a case has compared.
+    fn of(case: &Case) -> Self {
+        if case.compare.as_deref() == Some("region") {
+            return Self::Region;
+        }
+        if SET_FUNCTIONS.contains(&case.device.as_str()) {
+            return Self::OnGrid(case.params.get("precision").and_then(Json::as_f64).unwrap_or(SET_PRECISION));
+        }
+        if case.text { Self::Contains } else { Self::All }
+    }
+}
+
+/// By which part a number is changed by a hair.
+const HAIR: f64 = 2e-9;
+
 /// Runs all cases, prints a line for each, and panics with all that failed.
 ///
 /// # Panics
-/// If a case fails, or a deliberate difference has disappeared.
+/// If a case fails.
 pub fn assert_all(cases: &[Case], draw: impl Fn(&Case) -> Result<Device>) {
+    let differences = differences();
     let mut failures = Vec::new();
     for case in cases {
-        let outcome = check(case, draw(case));
+        let outcome = check(case, None, &draw).or_else(|why| {
+            match differences.iter().find(|difference| difference.applies_to(case)) {
+                Some(difference) => check(case, Some(difference), &draw),
+                None => Err(why),
+            }
+        });
         #[expect(clippy::print_stdout, reason = "one line a case, shown by the test runner on failure or demand")]
         {
             println!("{:<28} {}", case.id, outcome.as_ref().map_or_else(String::as_str, |()| "ok"));
@@ -85,26 +111,81 @@ pub fn assert_all(cases: &[Case], draw: impl Fn(&Case) -> Result<Device>) {
     assert!(failures.is_empty(), "{} of {} cases:\n{}", failures.len(), cases.len(), failures.join("\n"));
 }
 
-fn check(case: &Case, drawn: Result<Device>) -> Result<(), String> {
-    let difference = differences().into_iter().find(|difference| difference.applies_to(case));
-    let extent = match difference.as_ref().map(|d| d.compare.as_str()) {
-        Some("nothing") => return Ok(()),
-        Some("error") => return drawn.map_or(Ok(()), |_| Err("ours draws what it is said to refuse".to_owned())),
-        Some("region") => Extent::Region,
-        Some("ports") => Extent::Ports,
-        Some(other) => return Err(format!("differences.toml compares by {other:?}, which nothing does")),
-        None if case.compare.as_deref() == Some("region") => Extent::Region,
-        None if SET_FUNCTIONS.contains(&case.device.as_str()) => {
-            Extent::OnGrid(case.params.get("precision").and_then(Json::as_f64).unwrap_or(SET_PRECISION))
+/// Checks that every difference about one of these functions is needed by a case, or is marked as for further ones: that
+/// the first difference which applies to a case is about something in which the two do differ.
+///
+/// # Panics
+/// With the differences that are not.
+pub fn assert_differences_are_needed(cases: &[Case], functions: &[&str], draw: impl Fn(&Case) -> Result<Device>) {
+    let differences = differences();
+    let mut needed = vec![false; differences.len()];
+    for case in cases {
+        if let Some(i) = differences.iter().position(|difference| difference.applies_to(case)) {
+            needed[i] = needed[i] || check(case, None, &draw).is_err();
         }
-        None if case.text => Extent::Contains,
-        None => Extent::All,
-    };
-    if case.expect.get("error").is_some() {
-        return drawn.map_or(Ok(()), |_| Err("the reference refuses it, ours draws it".to_owned()));
     }
-    let device = drawn.map_err(|error| format!("ours refuses it: {}", error.in_full()))?;
-    compare(&device, &case.expect, extent)
+    let about = |d: &Difference| functions.iter().any(|name| d.is_about(name));
+    let wrong: Vec<String> = differences
+        .iter()
+        .zip(needed)
+        .filter(|(difference, needed)| about(difference) && difference.further == *needed)
+        .map(|(difference, needed)| format!("{:?} ({}): needed is {needed}", difference.function, difference.condition))
+        .collect();
+    assert!(wrong.is_empty(), "differences.toml has `further` wrong:\n{}", wrong.join("\n"));
+}
+
+fn check(case: &Case, difference: Option<&Difference>, draw: impl Fn(&Case) -> Result<Device>) -> Result<(), String> {
+    let drawn = draw(case);
+    if drawn.is_err() && case.expect.get("error").is_some() {
+        return Ok(());
+    }
+    let same = |drawn: Result<Device>, extent: Extent| -> Result<(), String> {
+        if case.expect.get("error").is_some() {
+            return Err("the reference refuses it, ours draws it".to_owned());
+        }
+        let device = drawn.map_err(|error| format!("ours refuses it: {}", error.in_full()))?;
+        compare(&device, &case.expect, extent)
+    };
+    match difference.map(|difference| (difference.compare, difference)) {
+        Some((Instead::Nothing, _)) => Ok(()),
+        Some((Instead::Error, _)) => drawn.map_or(Ok(()), |_| Err("ours draws it and is said to refuse".to_owned())),
+        Some((Instead::ErrorOrSame, _)) if drawn.is_err() => Ok(()),
+        Some((Instead::Drawn, _)) => drawn.map_or_else(|error| Err(error.in_full()), |_| Ok(())),
+        Some((Instead::Nearby, difference)) => same(drawn, Extent::of(case)).or_else(|why| {
+            let nearby = difference.nudge.iter().flat_map(|name| nudged(case, name));
+            let found = nearby.map(|case| same(draw(&case), Extent::Points)).any(|outcome| outcome.is_ok());
+            if found {
+                Ok(())
+            } else {
+                Err(format!("{why}; nor is it the reference's with a number changed by a hair"))
+            }
+        }),
+        Some((Instead::With, difference)) => {
+            let mut case = case.clone();
+            case.params.extend(difference.with.clone());
+            same(draw(&case), Extent::of(&case))
+        }
+        Some((Instead::Region, _)) => same(drawn, Extent::Region),
+        Some((Instead::Ports, _)) => same(drawn, Extent::Ports),
+        Some((Instead::ErrorOrSame, _)) | None => same(drawn, Extent::of(case)),
+    }
+}
+
+/// The case with a number a hair smaller, and a hair larger.
+fn nudged(case: &Case, name: &str) -> Vec<Case> {
+    let Some(value) = parameter(case, name).and_then(|value| value.as_f64()) else { return Vec::new() };
+    let (first, rest) = name.split_once('.').map_or((name, None), |(first, rest)| (first, Some(rest)));
+    let with = |value: f64| {
+        let mut case = case.clone();
+        let mut whole = parameter(&case, first).unwrap_or(Json::Null);
+        match rest.and_then(|rest| rest.parse::<usize>().ok()) {
+            Some(index) => whole[index] = value.into(),
+            None => whole = value.into(),
+        }
+        case.params.insert(first.to_owned(), whole);
+        case
+    };
+    [1.0 - HAIR, 1.0 + HAIR].map(|factor| with(value * factor)).to_vec()
 }
 
 /// Compares a device with a described one in all that it states.
@@ -118,7 +199,8 @@ pub fn compare_device(device: &Device, expect: &Json) -> Result<(), String> {
 fn compare(device: &Device, expect: &Json, extent: Extent) -> Result<(), String> {
     let expected = Described::deserialize(expect).map_err(|error| format!("the description is off: {error}"))?;
     ports(device, &expected.ports)?;
-    info(device.info(), &expected.info)?;
+    let tolerance = if extent == Extent::Points { 2.0 * HAIR } else { INFO_TOLERANCE };
+    info(device.info(), &expected.info, tolerance)?;
     if extent == Extent::Ports {
         return Ok(());
     }
@@ -126,6 +208,7 @@ fn compare(device: &Device, expect: &Json, extent: Extent) -> Result<(), String>
     layers(&drawn, &expected, extent)?;
     match extent {
         Extent::All => bbox(device, expected.bbox, POINT_TOLERANCE)?,
+        Extent::Points => return bbox(device, expected.bbox, POINT_TOLERANCE),
         Extent::OnGrid(step) => return bbox(device, expected.bbox, 2.0 * step),
         _ => return Ok(()),
     }
@@ -255,30 +338,30 @@ fn port_matches(port: &Port, expected: &DescribedPort) -> Result<(), String> {
 }
 
 /// Every record of the reference is there; ours may have more.
-fn info(ours: &BTreeMap<String, Value>, expected: &BTreeMap<String, Json>) -> Result<(), String> {
+fn info(ours: &BTreeMap<String, Value>, expected: &BTreeMap<String, Json>, tolerance: f64) -> Result<(), String> {
     for (key, expected) in expected {
         match ours.get(key) {
-            Some(value) if same_value(value, expected) => {}
+            Some(value) if same_value(value, expected, tolerance) => {}
             value => return Err(format!("info {key:?} is {value:?}, expected {expected}")),
         }
     }
     Ok(())
 }
 
-fn same_value(ours: &Value, expected: &Json) -> bool {
+fn same_value(ours: &Value, expected: &Json, tolerance: f64) -> bool {
     match (ours, expected) {
         (Value::List(ours), Json::Array(expected)) => {
-            ours.len() == expected.len() && ours.iter().zip(expected).all(|(a, b)| same_value(a, b))
+            ours.len() == expected.len() && ours.iter().zip(expected).all(|(a, b)| same_value(a, b, tolerance))
         }
         (Value::Map(ours), Json::Object(expected)) => {
             ours.len() == expected.len()
-                && expected.iter().all(|(key, b)| ours.get(key).is_some_and(|a| same_value(a, b)))
+                && expected.iter().all(|(key, b)| ours.get(key).is_some_and(|a| same_value(a, b, tolerance)))
         }
         (Value::Text(a), Json::String(b)) => a == b,
         (Value::Bool(a), Json::Bool(b)) => a == b,
         (Value::Null, Json::Null) => true,
         (ours, expected) => match (ours.as_f64(), expected.as_f64()) {
-            (Some(a), Some(b)) => (a - b).abs() <= INFO_TOLERANCE * b.abs().max(1.0),
+            (Some(a), Some(b)) => (a - b).abs() <= tolerance * b.abs().max(1.0),
             _ => false,
         },
     }

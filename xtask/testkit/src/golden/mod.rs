@@ -5,10 +5,14 @@
 
 mod cases;
 mod compare;
+mod condition;
 mod differences;
+mod facts;
+#[cfg(test)]
+mod page;
 mod region;
 
 pub use cases::{Case, Kind, load};
-pub use compare::{assert_all, compare_device, compare_reference};
-pub use differences::{Difference, differences};
+pub use compare::{assert_all, assert_differences_are_needed, compare_device, compare_reference};
+pub use differences::{Difference, Instead, Names, differences};
 pub use region::{agree_on_grid, merged_area, xor_area};

@@ -1,0 +1,163 @@
+//! PHIDL's tutorial on waveguides and paths, step by step: every function is a chapter and returns what it draws.
+//!
+//! `cargo run -p phidl-path --example waveguide_tutorial` prints what came out; nothing is written.
+
+use std::f64::consts::PI;
+
+use phidl_core::prelude::*;
+use phidl_path::{ArcBend, CrossSection, EulerBend, Extrusion, Path, Section, WidthChange, transition};
+
+/// A path from pieces. Everything that has a place knows the same words.
+pub(crate) fn pieces() -> Result<Path> {
+    let mut path = Path::arc(10, 90)?;
+    path.append(Path::straight(10)?).append(Path::euler(3, -90)?).append(Path::straight(40)?);
+    path.append([Path::arc(8, -45)?, Path::straight(10)?, Path::arc(8, 45)?, Path::straight(10)?]);
+    path.movey(10).set_xmin(20);
+    Ok(path)
+}
+
+/// What is drawn along a path: one width, a width that grows, or a cross-section, whose ends have the names of ports.
+fn extrusions(path: &Path) -> Result<Vec<Device>> {
+    let x = CrossSection::new()
+        .add(Section::new(1).layer(0).ports("in", "out"))
+        .add(Section::new(3).offset(2).layer(2))
+        .add(Section::new(3).offset(-2).layer(2));
+    Ok(vec![path.extrude_width(1.5, 3)?, path.extrude_width((0.7, 3.7), 4)?, path.extrude(&x)?])
+}
+
+/// Pieces that repeat, in lists and in lists of lists.
+fn repetition() -> Result<Path> {
+    let (left, right, straight) = (Path::euler(4, 90)?, Path::euler(4, -90)?, Path::straight(10)?);
+    let s_bend = [&straight, &left, &straight, &right, &straight];
+    let mut path = Path::of(s_bend);
+    path.append([[&left, &right], [&left, &right], [&left, &right]]);
+    Ok(path)
+}
+
+/// Sharp corners: from points, or by walking and turning. A piece that is appended turns into the path's direction, and
+/// so do points; those that are to stay where they are start a path.
+fn sharp_corners() -> Result<[Path; 3]> {
+    let points = [(20, 10), (30, 10), (40, 30), (50, 30), (50, 20), (70, 20)];
+    let mut walk = Path::line(10)?;
+    walk.turn(90).append(Path::line(10)?).turn(-135).append(Path::line(15)?);
+    walk.set_end_angle(0).append(Path::line(10)?);
+    Ok([Path::from_points(points)?, Path::of(points), walk])
+}
+
+/// Round corners through the same points, as Euler bends or as arcs.
+fn round_corners() -> Result<[Path; 2]> {
+    let points = [(20, 10), (40, 10), (20, 40), (50, 40), (50, 20), (70, 20)];
+    Ok([Path::smooth(points, 2, EulerBend::new())?, Path::smooth(points, 2, ArcBend::new())?])
+}
+
+/// Points of one's own between pieces: a limaçon that ends in a loop.
+fn custom_curve() -> Result<Path> {
+    let limacon = |i: u32| {
+        let t = -PI + PI * f64::from(i) / 999.0;
+        Point::new(t.cos(), t.sin()) * (20.0 + 25.0 * t.sin())
+    };
+    let curve: Vec<Point> = (0..1000).map(limacon).collect();
+    let mut path = Path::arc(10, 90)?;
+    path.append(Path::straight(5)?).append(Path::arc(5, -90)?).append(curve).rotate(-45);
+    Ok(path)
+}
+
+/// Fewer points: by a tolerance for the edges, or by one for the curve before it is drawn.
+fn fewer_points(path: &Path) -> Result<Vec<Device>> {
+    let x = CrossSection::new().add(Section::new(0.5).offset(2)).add(Section::new(1.5).layer(2).ports("in", "out"));
+    let coarse = |tolerance: f64| Extrusion::new(path, &x).simplify(tolerance).build();
+    Ok(vec![path.extrude(&x)?, coarse(1e-3)?, coarse(0.1)?, path.with_tolerance(1e-3)?.extrude(&x)?])
+}
+
+/// Vias in a row along a path and beside it, each turned as the path runs.
+fn vias() -> Result<Device> {
+    let mut via = Device::builder("via");
+    via.add_polygon([(-0.5, -0.25), (0.5, -0.25), (0.5, 0.25), (-0.5, 0.25)], 4)?;
+    let via = via.build()?;
+    let path = Path::from_points([(20, 10), (30, 10), (40, 30), (50, 30), (50, 20), (55, 20)])?;
+    let mut d = Device::builder("vias");
+    d.add(path.extrude_width(0.3, 1)?);
+    for (offset, row) in [(0.0, 0..15), (0.9, 1..14)] {
+        for station in path.interpolate(row.map(|i| 4 * i), offset)? {
+            d.add(station.place(&via));
+        }
+    }
+    d.build()
+}
+
+/// The curvature along a path: a clothoid's rises and falls linearly, an arc's jumps.
+fn curvature() -> Result<[f64; 2]> {
+    let tightest = |bend: Path| -> Result<f64> {
+        let mut path = Path::straight(10)?;
+        path.append(bend).append(Path::straight(10)?);
+        let (_, curvature) = path.curvature()?;
+        Ok(curvature.iter().fold(0.0, |most: f64, k| most.max(k.abs())))
+    };
+    Ok([tightest(EulerBend::new().p(0.5).use_eff().path(3, 90)?)?, tightest(Path::arc(3, 90)?)?])
+}
+
+/// Two cross-sections, a taper from one to the other, all three joined. A copy is a copy: to change one is to change one.
+fn transitions() -> Result<Device> {
+    let narrow = CrossSection::new()
+        .add(Section::new(1.2).layer(2).named("wg").ports("in1", "out1"))
+        .add(Section::new(2.2).layer(3).named("etch"))
+        .add(Section::new(1.1).offset(3).layer(1).named("wg2"));
+    let mut wide = narrow.clone();
+    wide["wg"] = Section::new(1).layer(2).named("wg").ports("in2", "out2");
+    wide["etch"].width = 3.5.into();
+    (wide["wg2"].width, wide["wg2"].offset) = (3.into(), 5.into());
+    let taper = transition(&narrow, &wide, WidthChange::Sine)?;
+
+    let mut d = Device::builder("transitions");
+    let first = d.add(Path::straight(10)?.extrude(&narrow)?);
+    let between = d.add(EulerBend::new().p(0.5).path(25, 45)?.extrude(&taper)?);
+    let last = d.add(Path::straight(10)?.extrude(&wide)?);
+    let out = d[first].port("out1")?;
+    d[between].connect("in2", &out)?;
+    let out = d[between].port("out1")?;
+    d[last].connect("in2", &out)?;
+    d.build()
+}
+
+/// Widths and offsets that are functions of the part of the length that lies behind.
+fn functions() -> Result<Vec<Device>> {
+    let wavy = CrossSection::new()
+        .add(Section::new(3).offset(-6))
+        .add(Section::new(|t: f64| 3.0 + (10.0 * PI * t).cos()))
+        .add(Section::new(1).offset(|t: f64| 6.0 + (6.0 * PI * t).cos()).layer(1));
+    let bent = Path::straight(40)?.offset(|t: f64| 2.0 + (4.0 * PI * t).cos())?;
+    Ok(vec![Path::straight(40)?.extrude(&wavy)?, bent.extrude_width(1, 2)?])
+}
+
+/// A path beside another, and its mirror image.
+fn beside(path: &Path) -> Result<[Path; 3]> {
+    let mut beside = path.offset(6)?;
+    beside.movey(-2);
+    let image = beside.clone().mirrored((0, 0), (1, 0));
+    Ok([path.clone(), beside, image])
+}
+
+/// Prints what was drawn.
+#[expect(clippy::print_stdout, reason = "an example shows what it did")]
+pub(crate) fn main() -> Result<()> {
+    let path = pieces()?;
+    println!("the path has {} points and is {:.3} µm long", path.points().len(), path.length());
+    println!("the limaçon ends at {:.3}°", custom_curve()?.end_angle());
+    let [euler, arc] = curvature()?;
+    println!("the tightest places of an Euler bend and of an arc: {euler:.3} and {arc:.3} per µm");
+
+    let mut devices = extrusions(&path)?;
+    let paths = sharp_corners()?.into_iter().chain(round_corners()?).chain(beside(&path)?).chain([repetition()?]);
+    for path in paths {
+        devices.push(path.extrude_width(1, 1)?);
+    }
+    devices.extend(fewer_points(&custom_curve()?)?);
+    devices.extend([vias()?, transitions()?]);
+    devices.extend(functions()?);
+    for device in &devices {
+        let (size, points) =
+            (device.size(), device.flat_polygons().map(|polygon| polygon.points().len()).sum::<usize>());
+        println!("{:<12} {points:5} points, {:.3} × {:.3} µm", device.name(), size.width, size.height);
+    }
+    Ok(())
+}

@@ -1,0 +1,169 @@
+//! Facts about a case that can be computed: of the reference's drawing, of the domain of the parameters, and rules that
+//! are more than a comparison.
+
+use phidl_core::geom::{Point, Rect};
+use phidl_core::param::{Bounds, Kind};
+use phidl_core::runtime::registry;
+use serde::Deserialize;
+use serde_json::Value as Json;
+
+use super::Case;
+use super::condition::{numbers, parameter};
+use super::region::merged_area;
+
+/// What the reference made of a case.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum Reference {
+    /// An error.
+    Refuses,
+    /// Outlines of which at least one encloses nothing, or crosses itself.
+    DrawsNoShape,
+}
+
+impl Reference {
+    /// Whether this is so in a case.
+    #[must_use]
+    pub(super) fn holds(self, case: &Case) -> bool {
+        match self {
+            Self::Refuses => case.expect.get("error").is_some(),
+            Self::DrawsNoShape => {
+                outlines(&case.expect).iter().any(|outline| encloses_nothing(outline) || crosses_itself(outline))
+            }
+        }
+    }
+}
+
+fn outlines(expect: &Json) -> Vec<Vec<Point>> {
+    let layers = expect["layers"].as_object().into_iter().flatten();
+    let listed = layers.filter_map(|(_, layer)| layer["points"].as_array()).flatten();
+    let coordinate = |json: &Json| json.as_f64().unwrap_or_default();
+    let point = |json: &Json| Point::new(coordinate(&json[0]), coordinate(&json[1]));
+    listed.map(|outline| outline.as_array().into_iter().flatten().map(point).collect()).collect()
+}
+
+/// No area to the seventh digit that the files have.
+fn encloses_nothing(outline: &[Point]) -> bool {
+    let longest = outline.iter().map(|p| p.distance(outline[0])).fold(0.0, f64::max);
+    phidl_core::geom::signed_area(outline).abs() <= 1e-7 * longest.max(1e-7)
+}
+
+/// Whether it winds around something twice, or around something the other way: then it does not enclose as much as it covers.
+fn crosses_itself(outline: &[Point]) -> bool {
+    let length: f64 = (0..outline.len()).map(|i| outline[i].distance(outline[(i + 1) % outline.len()])).sum();
+    // Points are rounded to 1e-7 µm.
+    let doubt = 1e-6 * length.max(1.0);
+    (merged_area(&[outline.to_vec()]) - phidl_core::geom::signed_area(outline).abs()).abs() > doubt
+}
+
+/// Whether a case gives a number outside the bounds that the registry states, or a word that is none of the choices.
+#[must_use]
+pub(super) fn is_out_of_domain(case: &Case) -> bool {
+    let Ok(entry) = registry::find(&case.device) else { return false };
+    let params = entry.params();
+    params
+        .iter()
+        .any(|param| case.params.get(param.name).is_some_and(|value| breaks(value, &param.kind, &param.bounds)))
+}
+
+fn breaks(value: &Json, kind: &Kind, bounds: &Bounds) -> bool {
+    match (value, kind) {
+        (value, Kind::Optional(inner)) => !value.is_null() && breaks(value, inner, bounds),
+        (Json::String(word), Kind::Choice(words)) => !words.contains(&word.as_str()),
+        (Json::Array(list), Kind::List(_) | Kind::Point | Kind::Size) => {
+            list.iter().any(|item| item.as_f64().is_some_and(|v| is_outside(v, bounds)))
+        }
+        // Counts are not negative without saying so.
+        (Json::Number(v), Kind::Integer) => v.as_f64().is_some_and(|v| v < 0.0 || is_outside(v, bounds)),
+        (Json::Number(v), Kind::Number) => v.as_f64().is_some_and(|v| is_outside(v, bounds)),
+        _ => false,
+    }
+}
+
+fn is_outside(v: f64, bounds: &Bounds) -> bool {
+    bounds.min.is_some_and(|min| v < min)
+        || bounds.above.is_some_and(|above| v <= above)
+        || bounds.max.is_some_and(|max| v > max)
+        || bounds.below.is_some_and(|below| v >= below)
+}
+
+/// Rules of `differences.toml` that need computation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum Rule {
+    /// `optimal_step`: the widths differ by no more than the parts of them that `width_tol` cuts off.
+    WidthsWithinTolerance,
+    /// `optimal_hairpin` and what is made of it: a turn of the reference reaches further than its length.
+    TurnLongerThanLength,
+    /// `meander_taper`: fewer than two places, or places that do not rise.
+    PlacesDoNotRise,
+    /// A layer parameter is null, which draws nothing there.
+    LayerLeftOut,
+    /// `text`: a character that the built-in font does not have.
+    CharacterWithoutGlyph,
+    /// `arc` and `turn`: fewer than two points on a side.
+    FewerThanTwoPoints,
+}
+
+impl Rule {
+    /// Whether it holds for a case.
+    #[must_use]
+    pub(super) fn holds(self, case: &Case) -> bool {
+        let number = |name: &str| parameter(case, name).and_then(|value| value.as_f64()).unwrap_or(f64::NAN);
+        match self {
+            Self::WidthsWithinTolerance => {
+                let (start, end, part) = (number("start_width"), number("end_width"), number("width_tol"));
+                start != end && start.min(end) * (1.0 + part) >= start.max(end) * (1.0 - part)
+            }
+            Self::TurnLongerThanLength => turn_is_longer_than_length(case, number),
+            Self::PlacesDoNotRise => {
+                let places = parameter(case, "x_taper").map(|places| numbers(&places)).unwrap_or_default();
+                places.len() < 2 || places.windows(2).any(|pair| pair[1] <= pair[0])
+            }
+            Self::LayerLeftOut => case.params.iter().any(|(name, value)| name.ends_with("layer") && value.is_null()),
+            Self::CharacterWithoutGlyph => {
+                let text = parameter(case, "text").and_then(|text| text.as_str().map(str::to_owned));
+                text.is_some_and(|text| text.chars().any(|c| !matches!(c, ' '..='~' | 'µ' | '\n')))
+            }
+            Self::FewerThanTwoPoints => {
+                let angle = if case.device == "turn" { number("angle") } else { number("theta") };
+                (angle.abs() / number("angle_resolution")).ceil() < 2.0
+            }
+        }
+    }
+}
+
+/// Looks for the halves of turns among the reference's outlines, by their height.
+fn turn_is_longer_than_length(case: &Case, number: impl Fn(&str) -> f64) -> bool {
+    let (height, length) = match case.device.as_str() {
+        "optimal_hairpin" => ((number("pitch") + number("width")) / 2.0, number("length")),
+        _ => {
+            let width = case.expect["info"]["size"][0].as_f64().unwrap_or(f64::NAN);
+            ((number("wire_pitch") + number("wire_width")) / 2.0, width / 2.0)
+        }
+    };
+    let sizes = outlines(&case.expect).into_iter().filter_map(Rect::around);
+    sizes.into_iter().any(|r| (r.size().height - height).abs() < 1e-4 * height && r.size().width > length + 1e-6)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn outline(points: &[(f64, f64)]) -> Vec<Point> {
+        points.iter().map(|p| Point::from(*p)).collect()
+    }
+
+    #[test]
+    fn an_hourglass_crosses_itself_and_an_hourglass_whose_waist_touches_does_not() {
+        assert!(crosses_itself(&outline(&[(0., 0.), (2., 2.), (2., 0.), (0., 2.)])));
+        assert!(!crosses_itself(&outline(&[(0., 0.), (1., 1.), (2., 0.), (2., 2.), (1., 1.), (0., 2.)])));
+        assert!(!crosses_itself(&outline(&[(0., 0.), (2., 0.), (2., 0.), (2., 2.), (0., 2.)])));
+    }
+
+    #[test]
+    fn a_line_there_and_back_encloses_nothing() {
+        assert!(encloses_nothing(&outline(&[(0., 0.), (5., 0.), (9., 0.)])));
+        assert!(!encloses_nothing(&outline(&[(0., 0.), (5., 1e-3), (9., 0.)])));
+    }
+}
