@@ -240,7 +240,7 @@ mod tests {
 
     #[test]
     fn tiles_leave_nothing_to_merge_afterwards() {
-        let (a, b) = examples();
+        let (a, b) = (circle(10, 2.5, 0).unwrap(), rectangle((12, 12), 1).unwrap());
         for tile_size in [None, Some(Size::new(1.0, 1.0)), Some(TILE)] {
             let cut = |merge_after: bool| {
                 let params = KlBooleanParams::new(a.clone(), b.clone(), "or");
