@@ -63,7 +63,7 @@ impl Param for Arms {
 ///
 /// # Errors
 /// `theta` must be at least 0 and less than 90: it is the tilt of one arm, half of the angle between both. The source must
-/// be longer than the tip is deep, `rho (1 + sin theta)`, or the tip would cut it in two.
+/// be longer than the tip reaches below its corners, `rho sin theta`, or the tip would cut it in two.
 ///
 /// # Numerics
 /// The tip is an arc of `⌊(180 − 2 theta) / theta_resolution⌋ + 2` points. Widths of arms are measured along x.
@@ -112,7 +112,8 @@ pub fn ytron_round(
 ) -> Result<Device> {
     let tip = tip(rho, theta, theta_resolution)?;
     let corner = Point::polar(rho, theta);
-    let depth = rho + corner.y;
+    // The common part is measured from the corners, and the tip stands on the origin.
+    let depth = corner.y;
     Check::device("ytron_round").greater("source_length", source_length, ("the depth of the tip", depth))?;
     let along = |length: f64| Point::polar(length, 90.0 - theta);
     let (left_arm, right_arm) = (along(arm_lengths.left), along(arm_lengths.right));
@@ -158,6 +159,14 @@ mod tests {
     use super::*;
     use crate::testing::outlines_are_simple;
     use proptest::prelude::*;
+
+    #[test]
+    fn the_common_part_may_be_shorter_than_the_tip_is_high() {
+        let d = YtronRoundParams::default().rho(100).theta(2).source_length(50).build().unwrap();
+        assert!((d.ymin() - (100.0 * 2_f64.to_radians().sin() - 50.0)).abs() < 1e-9);
+        let error = YtronRoundParams::default().rho(100).theta(2).source_length(3).build().unwrap_err();
+        assert!(error.to_string().contains("greater than the depth of the tip, 3.48"), "{error}");
+    }
 
     #[test]
     fn the_default_is_that_of_the_specification() {

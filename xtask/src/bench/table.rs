@@ -53,7 +53,7 @@ impl fmt::Display for Section {
             for tool in self.tools {
                 write!(f, " {} |", line.others.get(*tool).map(|time| seconds(*time)).unwrap_or_default())?;
             }
-            writeln!(f, " {} |", line.ratio().map(|ratio| format!("{ratio:.1}")).unwrap_or_default())?;
+            writeln!(f, " {} |", line.ratio().map(digits).unwrap_or_default())?;
         }
         self.lowest(f)
     }
@@ -64,7 +64,7 @@ impl Section {
     fn lowest(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let ratios = self.lines.iter().filter_map(|line| Some((line.ratio()?, &line.work)));
         match ratios.min_by(|a, b| a.0.total_cmp(&b.0)) {
-            Some((ratio, work)) => writeln!(f, "\nThe lowest ratio is {ratio:.1} ({work})."),
+            Some((ratio, work)) => writeln!(f, "\nThe lowest ratio is {} ({work}).", digits(ratio)),
             None => Ok(()),
         }
     }
@@ -78,14 +78,16 @@ fn seconds(time: f64) -> String {
         t if t < 1.0 => (t * 1e3, "ms"),
         t => (t, "s"),
     };
-    let decimals = if value < 10.0 {
-        2
-    } else if value < 100.0 {
-        1
-    } else {
-        0
-    };
-    format!("{value:.decimals$} {unit}")
+    format!("{} {unit}", digits(value))
+}
+
+/// A number of at least 0.01 with two or three digits.
+fn digits(value: f64) -> String {
+    match value {
+        v if v < 10.0 => format!("{v:.2}"),
+        v if v < 100.0 => format!("{v:.1}"),
+        v => format!("{v:.0}"),
+    }
 }
 
 #[cfg(test)]

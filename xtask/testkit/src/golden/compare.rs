@@ -66,6 +66,8 @@ enum Extent {
     Region,
     /// The covered region and the box to some steps of this grid (µm), ports and info.
     OnGrid(f64),
+    /// The corners in any order and the box to a step of this grid (µm), ports and info.
+    Corners(f64),
     /// Every polygon of the reference is there; ours has glyphs besides. Ports and info.
     Contains,
     /// Ports and info.
@@ -79,10 +81,15 @@ impl Extent {
             return Self::Region;
         }
         if SET_FUNCTIONS.contains(&case.device.as_str()) {
-            return Self::OnGrid(case.params.get("precision").and_then(Json::as_f64).unwrap_or(SET_PRECISION));
+            return Self::OnGrid(step_of(case));
         }
         if case.text { Self::Contains } else { Self::All }
     }
+}
+
+/// The grid step of a set function (µm).
+fn step_of(case: &Case) -> f64 {
+    case.params.get("precision").and_then(Json::as_f64).unwrap_or(SET_PRECISION)
 }
 
 /// By which part a number is changed by a hair.
@@ -165,6 +172,7 @@ fn check(case: &Case, difference: Option<&Difference>, draw: impl Fn(&Case) -> R
             case.params.extend(difference.with.clone());
             same(draw(&case), Extent::of(&case))
         }
+        Some((Instead::CornersToAStep, _)) => same(drawn, Extent::Corners(step_of(case))),
         Some((Instead::Region, _)) => same(drawn, Extent::Region),
         Some((Instead::Ports, _)) => same(drawn, Extent::Ports),
         Some((Instead::ErrorOrSame, _)) | None => same(drawn, Extent::of(case)),
@@ -209,7 +217,7 @@ fn compare(device: &Device, expect: &Json, extent: Extent) -> Result<(), String>
     match extent {
         Extent::All => bbox(device, expected.bbox, POINT_TOLERANCE)?,
         Extent::Points => return bbox(device, expected.bbox, POINT_TOLERANCE),
-        Extent::OnGrid(step) => return bbox(device, expected.bbox, 2.0 * step),
+        Extent::OnGrid(step) | Extent::Corners(step) => return bbox(device, expected.bbox, 2.0 * step),
         _ => return Ok(()),
     }
     match expected.hash_geometry {
@@ -249,6 +257,7 @@ fn layer(outlines: &[Vec<Point>], expected: &DescribedLayer, extent: Extent) -> 
     match (extent, points) {
         (Extent::Region, Some(points)) => region(outlines, &points),
         (Extent::OnGrid(step), Some(points)) => agree_on_grid(outlines, &points, step),
+        (Extent::Corners(step), Some(points)) => corners(outlines, &points, step),
         (Extent::Contains, Some(points)) => contains(outlines, &points).map(drop),
         (_, points) => {
             let vertices: usize = outlines.iter().map(Vec::len).sum();
@@ -281,6 +290,18 @@ fn contains(outlines: &[Vec<Point>], expected: &[Vec<Point>]) -> Result<(), Stri
         }
     }
     Ok(())
+}
+
+/// Whether every corner has one of the other's within a step, both ways.
+fn corners(outlines: &[Vec<Point>], expected: &[Vec<Point>], step: f64) -> Result<(), String> {
+    let near = |p: Point, q: Point| (p.x - q.x).abs() <= 1.01 * step && (p.y - q.y).abs() <= 1.01 * step;
+    let lonely = |these: &[Vec<Point>], those: &[Vec<Point>]| {
+        these.iter().flatten().find(|p| !those.iter().flatten().any(|q| near(**p, *q))).copied()
+    };
+    match lonely(outlines, expected).or_else(|| lonely(expected, outlines)) {
+        None => Ok(()),
+        Some(corner) => Err(format!("the corner at {corner} has none within a step of {step} µm")),
+    }
 }
 
 fn region(outlines: &[Vec<Point>], expected: &[Vec<Point>]) -> Result<(), String> {

@@ -86,6 +86,8 @@ pub enum Instead {
     Nearby,
     /// Ours with other parameters draws what the reference draws.
     With,
+    /// Every corner is within a step of the grid; ports, info and box.
+    CornersToAStep,
     /// Nothing here: a test of its own does.
     Nothing,
 }
