@@ -2,7 +2,8 @@
 
     python compare_boolean.py SCENE.gds OPERATION DISTANCE THREADS PEER
 
-The scene has layer 1 and, for booleans, layer 2. OPERATION is or, and, not, xor or offset. Prints a line of JSON: the
+The scene has layer 1 and, for booleans, layer 2. OPERATION is or, and, not, xor or offset. PEER is a name of PEERS;
+"klayout, tiled=8" is the tiling processor with 8 x 8 tiles. Prints a line of JSON: the
 best of a few times in seconds, or null if this peer does not take part. Only the work is timed: shapes are in memory, as
 the tool wants them, before and after.
 """
@@ -47,7 +48,7 @@ def klayout_flat(path, operation, distance, _threads):
     return best(work)
 
 
-def klayout_tiled(path, operation, distance, threads):
+def klayout_tiled(path, operation, distance, threads, sides=(2, 4, 8, 16, 32)):
     kdb, dbu, (a, b) = klayout_layers(path)
     box = (a.bbox() + b.bbox()) if operation != "offset" else a.bbox()
     steps = round(distance / dbu)
@@ -77,7 +78,7 @@ def klayout_tiled(path, operation, distance, threads):
 
     # The best tile size is looked for, so that nobody can say that theirs was a bad one.
     side = max(box.width(), box.height()) * dbu
-    return min(best(lambda: work(side / parts + dbu)) for parts in (2, 4, 8))
+    return min(best(lambda: work(side / parts + dbu)) for parts in sides)
 
 
 def gdstk_layers(path):
@@ -117,4 +118,6 @@ PEERS = {"klayout": klayout_flat, "klayout, tiled": klayout_tiled, "gdstk": gdst
 
 if __name__ == "__main__":
     scene, operation, distance, threads, peer = sys.argv[1:]
-    print(json.dumps(PEERS[peer](scene, operation, float(distance), int(threads))))
+    peer, _, tiles = peer.partition("=")
+    tiled = {"sides": (int(tiles),)} if tiles else {}
+    print(json.dumps(PEERS[peer](scene, operation, float(distance), int(threads), **tiled)))

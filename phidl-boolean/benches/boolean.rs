@@ -2,7 +2,8 @@
 //!
 //! `confetti` is the crowded case: rectangles, discs and stars, turned at random, at constant density. `confetti/10000`
 //! has 0.52 million vertices in two layers. `strips` compares the sizes of strips, `shapes apart` is a layer in which
-//! nothing touches.
+//! nothing touches. `hierarchy` keeps a cell of 100 corners in arrays and among single placements; the flat result of a
+//! million of them would need more memory than most machines have.
 
 mod support;
 
@@ -10,9 +11,11 @@ use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use phidl_boolean::{
-    Division, Growth, Operation, RunOptions,
+    Division, Growth, Operation, Options, RunOptions,
     grid::{Contours, boolean, offset},
+    hierarchy,
 };
+use phidl_core::prelude::*;
 use support::{apart, confetti};
 
 const THREADS: [usize; 2] = [1, 2];
@@ -99,5 +102,56 @@ fn shapes_apart(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, operations, offsets, strips, files, shapes_apart);
+/// A disc of 100 corners on layer 1 with a square on layer 2, placed in an array of `side` × `side`, or that often one
+/// by one.
+fn discs(side: u32, layer: u16, one_by_one: bool) -> Device {
+    let build = |cell: DeviceBuilder| cell.build().expect("its shapes are valid");
+    let mut disc = Device::builder("disc");
+    let corners: Vec<Point> = (0..100).map(|i| Point::polar(4.0, 3.6 * f64::from(i))).collect();
+    match layer {
+        1 => disc.add_polygon(corners, layer).map(drop).expect("a disc"),
+        _ => disc.add_polygon(Rect::new((-1, -1), (1, 1)), layer).map(drop).expect("a square"),
+    }
+    let disc = build(disc);
+    let mut top = Device::builder("top");
+    if one_by_one {
+        (0..side * side).for_each(|i| {
+            let (x, y) = (i % side, i / side);
+            top.add(disc.place().moved_by((f64::from(10 * x), f64::from(12 * y + x % 3))));
+        });
+    } else {
+        top.add(disc.array(side, side, (10, 12)));
+    }
+    build(top)
+}
+
+fn hierarchies(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("hierarchy");
+    group.sample_size(10);
+    let options = Options { run: on(2), ..Options::default() };
+    let growth = Growth::default();
+    for (name, side, one_by_one) in
+        [("array", 100, false), ("array", 1000, false), ("one by one", 100, true), ("one by one", 1000, true)]
+    {
+        let (a, b) = (discs(side, 1, one_by_one), discs(side, 2, one_by_one));
+        let cells = u64::from(side) * u64::from(side);
+        group.throughput(Throughput::Elements(cells));
+        let id = |work: &str| BenchmarkId::new(format!("{name}, {work}"), cells);
+        let kept = || hierarchy::boolean(black_box(&a), &b, "not", 3, &options);
+        group.bench_function(id("not, kept"), |bench| bench.iter(kept));
+        group.bench_function(id("offset, kept"), |bench| {
+            bench.iter(|| hierarchy::offset(black_box(&a), 0.25, &growth, 3, &options))
+        });
+        if side == 100 {
+            let flat = || phidl_boolean::boolean(black_box(&a), &b, "not", 3, &options);
+            group.bench_function(id("not, flat"), |bench| bench.iter(flat));
+            group.bench_function(id("offset, flat"), |bench| {
+                bench.iter(|| phidl_boolean::offset(black_box(&a), 0.25, &growth, 3, &options))
+            });
+        }
+    }
+    group.finish();
+}
+
+criterion_group!(benches, operations, offsets, strips, files, shapes_apart, hierarchies);
 criterion_main!(benches);

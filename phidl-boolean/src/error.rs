@@ -55,7 +55,7 @@ pub enum BooleanError {
         /// The rule that it breaks.
         rule: &'static str,
     },
-    /// The operands have more edges than the engine can number.
+    /// The operands have more edges than the engine can number, or the result more than half as many.
     #[error("{edges} edges are too many for one operation; the limit is {limit}")]
     TooLarge {
         /// Number of edges.

@@ -29,7 +29,7 @@ use crate::{
 ///
 /// # Errors
 /// [`BooleanError::OutOfRange`] for a coordinate beyond ±[`MAX_COORDINATE`], [`BooleanError::Option`] for a bad
-/// option, [`BooleanError::TooLarge`] for more than 2³¹ edges, [`BooleanError::Cancelled`] if a
+/// option, [`BooleanError::TooLarge`] for more than 2³¹ edges or a result of half as many, [`BooleanError::Cancelled`] if a
 /// [`Watch`](crate::Watch) says so.
 ///
 /// # Examples

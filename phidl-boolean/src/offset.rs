@@ -28,6 +28,9 @@ use crate::{
 /// Sideways shift in grid steps below which two edges count as one straight line.
 const STRAIGHT_STEPS: f64 = 1.0;
 
+/// Steps by which a region must be narrower than it shrinks before nobody looks at it.
+const SPARE_STEPS: f64 = 8.0;
+
 /// Fewest points of a full circle: chords no farther from the arc than a quarter of the radius.
 const FEWEST_POINTS: f64 = 4.347;
 
@@ -144,12 +147,13 @@ impl Region {
         })
     }
 
-    /// True if shrinking eats the whole box of the region.
+    /// True if shrinking eats the whole box of the region, with steps to spare: at the very distance, what rounding
+    /// leaves must not depend on what else is in the region.
     #[expect(clippy::cast_precision_loss, reason = "coordinates are far below 2^53")]
     fn vanishes(&self, distance: f64) -> bool {
         self.bbox().is_none_or(|(low, high)| {
             let narrow = (high.x - low.x).min(high.y - low.y) as f64;
-            distance < 0.0 && narrow <= -2.0 * distance
+            distance < 0.0 && narrow + SPARE_STEPS <= -2.0 * distance
         })
     }
 }

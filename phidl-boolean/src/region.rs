@@ -1,7 +1,7 @@
 //! [`Region`]: area on the grid, as outlines with their holes.
 //!
 //! A region is always clean: outlines do not cross, cover no place twice and have only real corners. It can only be
-//! made by the engine, so every function can rely on that. Holes stay holes; outlines without holes, as files want
+//! made by the engine, so every function can rely on that; and the operators cannot fail (the reason stands there). Holes stay holes; outlines without holes, as files want
 //! them, are made on request ([`Region::without_holes`]).
 
 use std::ops::{BitAnd, BitOr, BitXor, Sub};
@@ -173,6 +173,12 @@ impl<'a> Polygon<'a> {
     }
 }
 
+/// Operators cannot fail, because whatever an operation refuses is refused before a region exists:
+///
+/// - coordinates: a region comes out of the engine, which takes points within the range only and puts new ones on grid
+///   points between them (an offset that leaves the range is refused);
+/// - size: results are limited to half of what one operation takes, so that any two regions fit together;
+/// - options: the default ones are valid, start no threads and watch for nobody.
 macro_rules! operator {
     ($trait:ident, $method:ident, $operation:expr, $doc:literal) => {
         impl $trait for &Region {
@@ -181,7 +187,7 @@ macro_rules! operator {
             #[doc = $doc]
             fn $method(self, other: Self) -> Region {
                 self.combine(other, $operation, &RunOptions::default())
-                    .expect("invariant: regions are in range, and the default options cannot fail")
+                    .expect("invariant: regions are in range and small enough, and the default options are valid")
             }
         }
 

@@ -1,6 +1,6 @@
 //! `cargo xtask boolean`: a set operation between layers of files.
 
-use phidl_boolean::{Division, Operation, Region, RunOptions, grid};
+use phidl_boolean::{Division, Operation, Region, RunOptions, Watch, grid};
 
 use crate::flags::{BooleanFlags, RunFlags};
 use crate::stages::Stages;
@@ -9,8 +9,10 @@ use crate::stages::Stages;
 pub(crate) fn run(flags: &BooleanFlags) -> anyhow::Result<()> {
     let operation: Operation = flags.op.parse()?;
     let steps = grid::with_step(flags.run.precision)?;
-    let options = options(&flags.run);
+    flags.out.ensure_is_none_of(&[&flags.a, &flags.b])?;
     let mut stages = Stages::new();
+    let watch = stages.watch();
+    let options = options(&flags.run, &watch);
     let (a, b) = stages.run("read", || {
         let a = flags.a.read(flags.run.cell.as_deref())?;
         let b = flags.b.read(flags.cell_b.as_deref().or(flags.run.cell.as_deref()))?;
@@ -28,9 +30,9 @@ pub(crate) fn run(flags: &BooleanFlags) -> anyhow::Result<()> {
 }
 
 /// How to run what the flags ask for.
-pub(crate) fn options(flags: &RunFlags) -> RunOptions<'static> {
+pub(crate) fn options<'a>(flags: &RunFlags, watch: &'a Watch) -> RunOptions<'a> {
     let division = flags.divisions.map_or_else(Division::default, Division::Strips);
-    RunOptions { division, threads: flags.threads, watch: None }
+    RunOptions { division, threads: flags.threads, watch: Some(watch) }
 }
 
 pub(crate) fn print_result(region: &Region, out: &impl std::fmt::Display) {

@@ -214,7 +214,9 @@ fn ours(devices: &[Device; 2], work: Work, threads: usize) -> anyhow::Result<Our
 }
 
 /// The shortest of a few times (s).
-fn best<T, E: std::error::Error + Send + Sync + 'static>(work: impl Fn() -> Result<T, E>) -> anyhow::Result<f64> {
+pub(crate) fn best<T, E: std::error::Error + Send + Sync + 'static>(
+    work: impl Fn() -> Result<T, E>,
+) -> anyhow::Result<f64> {
     let mut shortest = f64::INFINITY;
     for _ in 0..REPEATS {
         let start = Instant::now();

@@ -34,6 +34,8 @@ pub(crate) enum Command {
     Bench(BenchFlags),
     /// Times booleans and offsets beside KLayout, gdstk and PHIDL on the same files.
     Compare(CompareFlags),
+    /// Measures a boolean against the number of divisions, beside KLayout, and draws the figure of it.
+    Figure(FigureFlags),
     /// Opens the masks in KLayout, gdstk and gdspy, and checks booleans and offsets of random shapes against KLayout.
     Interop(InteropFlags),
     /// Has PHIDL draw further reference results with random parameters, for the tests to run on.
@@ -109,7 +111,7 @@ pub(crate) struct BooleanFlags {
     /// What to do: or, and, not (A-B), B-A, xor.
     #[arg(long, value_name = "OPERATION", allow_hyphen_values = true)]
     pub(crate) op: String,
-    /// Where the result is written.
+    /// Where the result is written: a file of its own, with one cell.
     #[arg(long, value_name = "FILE:LAYER/DATATYPE")]
     pub(crate) out: LayerFile,
     /// The cell of the second file; without it, that of --cell.
@@ -128,17 +130,17 @@ pub(crate) struct OffsetFlags {
     /// How far (µm); negative shrinks.
     #[arg(long, value_name = "UM", allow_hyphen_values = true)]
     pub(crate) distance: f64,
-    /// Where the result is written.
+    /// Where the result is written: a file of its own, with one cell.
     #[arg(long, value_name = "FILE:LAYER/DATATYPE")]
     pub(crate) out: LayerFile,
     /// What is put at corners.
     #[arg(long, value_enum, default_value = "miter")]
     pub(crate) join: JoinFlag,
     /// How far a miter may reach, in distances.
-    #[arg(long, value_name = "N", default_value_t = 2.0)]
+    #[arg(long, value_name = "N", default_value_t = 2.0, allow_negative_numbers = true)]
     pub(crate) miter_limit: f64,
     /// Points of a full turn of round joins.
-    #[arg(long, value_name = "N", default_value_t = 64.0)]
+    #[arg(long, value_name = "N", default_value_t = 64.0, allow_negative_numbers = true)]
     pub(crate) points_per_turn: f64,
     #[command(flatten)]
     pub(crate) run: RunFlags,
@@ -157,7 +159,7 @@ pub(crate) struct RunFlags {
     #[arg(long, value_name = "N")]
     pub(crate) divisions: Option<usize>,
     /// The grid step of the work and of the result (µm).
-    #[arg(long, value_name = "UM", default_value_t = 1e-4)]
+    #[arg(long, value_name = "UM", default_value_t = 1e-4, allow_negative_numbers = true)]
     pub(crate) precision: f64,
 }
 
@@ -213,6 +215,23 @@ pub(crate) struct CompareFlags {
     /// The folder for scenes and the virtual environment.
     #[arg(long, value_name = "DIR", default_value = "target/compare")]
     pub(crate) out: PathBuf,
+}
+
+/// Flags of `figure`.
+#[derive(Debug, Args)]
+pub(crate) struct FigureFlags {
+    /// Shapes of each kind in each of two layers; 52 vertices for each.
+    #[arg(long, value_name = "N", default_value_t = 10_000)]
+    pub(crate) shapes: usize,
+    /// Number of threads, for both.
+    #[arg(long, value_name = "N", default_value_t = 2)]
+    pub(crate) threads: usize,
+    /// Where the figure is drawn.
+    #[arg(long, value_name = "FILE", default_value = "phidl-boolean/docs/divisions.svg")]
+    pub(crate) out: PathBuf,
+    /// The folder for the scene and the virtual environment.
+    #[arg(long, value_name = "DIR", default_value = "target/compare")]
+    pub(crate) scratch: PathBuf,
 }
 
 /// Flags of `interop`.

@@ -51,6 +51,18 @@ impl LayerFile {
         Ok(import.device)
     }
 
+    /// Refuses to write over a file that is read: all its other layers and cells would be gone.
+    pub(crate) fn ensure_is_none_of(&self, inputs: &[&Self]) -> anyhow::Result<()> {
+        let same = |a: &Path, b: &Path| matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b);
+        let is_input = inputs.iter().any(|input| same(&input.path, &self.path));
+        ensure!(
+            !is_input,
+            "{}: --out must be another file than what is read, which it would replace",
+            self.path.display()
+        );
+        Ok(())
+    }
+
     /// What is drawn on the layer, on a grid.
     pub(crate) fn contours(&self, device: &Device, grid: &Grid) -> anyhow::Result<Contours> {
         let contours = grid::snap_device(grid, device, Some(self.layer.into()))?;

@@ -9,6 +9,7 @@ mod compare;
 mod demo;
 mod device;
 mod devices;
+mod figure;
 mod flags;
 mod gallery;
 mod golden;
@@ -37,6 +38,7 @@ fn main() -> ExitCode {
         Command::Offset(flags) => offset::run(&flags),
         Command::Bench(flags) => bench::run(&flags),
         Command::Compare(flags) => compare::run(&flags),
+        Command::Figure(flags) => figure::run(&flags),
         Command::Interop(flags) => interop::run(&flags),
         Command::Golden(flags) => golden::run(&flags),
     };

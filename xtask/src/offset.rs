@@ -11,8 +11,10 @@ pub(crate) fn run(flags: &OffsetFlags) -> anyhow::Result<()> {
     let steps = grid::with_step(flags.run.precision)?;
     let growth = Growth { join: join(flags), merge_first: true };
     let distance = steps.scaled(flags.distance);
-    let options = options(&flags.run);
+    flags.out.ensure_is_none_of(&[&flags.input])?;
     let mut stages = Stages::new();
+    let watch = stages.watch();
+    let options = options(&flags.run, &watch);
     let device = stages.run("read", || flags.input.read(flags.run.cell.as_deref()))?;
     let contours = stages.run("round", || flags.input.contours(&device, &steps))?;
     let region = stages.run("offset", || grid::offset(&contours, distance, &growth, &options))?;

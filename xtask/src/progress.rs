@@ -1,17 +1,27 @@
 //! Says what is being done where it takes longer than a second.
 
-use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::sync::mpsc::{Receiver, RecvError, RecvTimeoutError, Sender, channel};
 use std::thread::JoinHandle;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget};
 
 /// Steps shorter than this are not worth a line.
 const PATIENCE: Duration = Duration::from_secs(1);
 
+/// What the watcher hears.
+enum News {
+    /// A step begins.
+    Step(String),
+    /// So many parts of so many of the present step are done.
+    Part(usize, usize),
+    /// There are no more steps.
+    End,
+}
+
 /// A spinner on the terminal that appears when one step takes longer than a second.
 pub(crate) struct Progress {
-    steps: Option<Sender<String>>,
+    steps: Option<Sender<News>>,
     watcher: Option<JoinHandle<()>>,
 }
 
@@ -25,14 +35,26 @@ impl Progress {
     pub(crate) fn step(&self, what: impl std::fmt::Display) {
         if let Some(steps) = &self.steps {
             // The watcher only waits and draws; if it is gone, there is nothing to see.
-            _ = steps.send(what.to_string());
+            _ = steps.send(News::Step(what.to_string()));
+        }
+    }
+
+    /// Takes how far the present step has come, from any thread.
+    pub(crate) fn part(&self) -> impl Fn(usize, usize) + Send + Sync + use<> {
+        let steps = self.steps.clone();
+        move |done, total| {
+            if let Some(steps) = &steps {
+                _ = steps.send(News::Part(done, total));
+            }
         }
     }
 }
 
 impl Drop for Progress {
     fn drop(&mut self) {
-        self.steps.take();
+        if let Some(steps) = self.steps.take() {
+            _ = steps.send(News::End);
+        }
         if let Some(watcher) = self.watcher.take() {
             _ = watcher.join();
         }
@@ -40,20 +62,40 @@ impl Drop for Progress {
 }
 
 /// Shows every step that is not over within a second, until there are no more steps.
-fn watch(steps: &Receiver<String>) {
-    let mut next = steps.recv();
-    while let Ok(step) = next {
-        next = match steps.recv_timeout(PATIENCE) {
-            Ok(step) => Ok(step),
+fn watch(news: &Receiver<News>) {
+    let mut next = news.recv();
+    while let Ok(News::Step(step)) = next {
+        next = match quiet_until(news, Instant::now() + PATIENCE) {
             Err(RecvTimeoutError::Disconnected) => return,
             Err(RecvTimeoutError::Timeout) => {
                 let spinner = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
-                spinner.set_message(step);
+                spinner.set_message(step.clone());
                 spinner.enable_steady_tick(Duration::from_millis(100));
-                let next = steps.recv();
+                let next = shown(news, &spinner, &step);
                 spinner.finish_and_clear();
                 next
             }
+            Ok(step) => Ok(step),
         };
+    }
+}
+
+/// The next step, if it comes in time.
+fn quiet_until(news: &Receiver<News>, end: Instant) -> Result<News, RecvTimeoutError> {
+    loop {
+        match news.recv_timeout(end.saturating_duration_since(Instant::now()))? {
+            News::Part(..) => {}
+            other => return Ok(other),
+        }
+    }
+}
+
+/// The next step; until then, the parts of this one are shown.
+fn shown(news: &Receiver<News>, spinner: &ProgressBar, step: &str) -> Result<News, RecvError> {
+    loop {
+        match news.recv()? {
+            News::Part(done, total) => spinner.set_message(format!("{step} {} %", 100 * done / total.max(1))),
+            other => return Ok(other),
+        }
     }
 }

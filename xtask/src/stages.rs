@@ -2,7 +2,12 @@
 
 use std::time::{Duration, Instant};
 
+use phidl_boolean::Watch;
+
 use crate::progress::Progress;
+
+/// Below this, the memory of a command is mostly the program itself.
+const FEW_VERTICES: usize = 100_000;
 
 /// The stages of a command.
 pub(crate) struct Stages {
@@ -24,6 +29,12 @@ impl Stages {
         Self { progress: Progress::new(), done: vec![start] }
     }
 
+    /// A watch that shows how far a stage has come.
+    pub(crate) fn watch(&self) -> Watch {
+        let part = self.progress.part();
+        Watch::with_report(move |progress| part(progress.done, progress.total))
+    }
+
     /// Runs a stage and keeps what it took.
     pub(crate) fn run<T>(&mut self, name: &'static str, work: impl FnOnce() -> T) -> T {
         self.progress.step(name);
@@ -40,13 +51,16 @@ impl Stages {
         let time = done.iter().map(|stage| stage.time).sum();
         done.push(Stage { name: "total", time, memory: peak_memory() });
         for Stage { name, time, memory } in done {
-            let memory = memory.map_or_else(
-                || "memory unknown on this system".to_owned(),
-                |bytes| format!("{:>9.1} MB, {:>4} bytes per vertex read", bytes as f64 / 1e6, bytes / vertices.max(1)),
-            );
+            let memory = memory.map_or("memory unknown on this system".to_owned(), |bytes| told(bytes, vertices));
             println!("{name:<10} {:>9.3} s  {memory}", time.as_secs_f64());
         }
     }
+}
+
+/// A peak of memory in words; small work says nothing about the memory per vertex.
+fn told(bytes: usize, vertices: usize) -> String {
+    let peak = format!("{:>9.1} MB", bytes as f64 / 1e6);
+    if vertices < FEW_VERTICES { peak } else { format!("{peak}, {:>4} bytes per vertex read", bytes / vertices) }
 }
 
 /// The most memory that the process has had (bytes), where the system tells.

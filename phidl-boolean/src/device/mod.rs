@@ -8,6 +8,7 @@
 mod area;
 mod boolean;
 mod convert;
+pub mod hierarchy;
 mod klayout;
 mod offset;
 mod operand;

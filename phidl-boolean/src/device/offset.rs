@@ -8,7 +8,8 @@ use phidl_core::scene::Device;
 
 use super::{Options, Shapes, boolean::named, operand::Operand};
 use crate::{
-    contours::Contours, error::BooleanError, grid, offset::Growth, op::Operation, point::GridPoint, region::Region,
+    contours::Contours, error::BooleanError, grid, offset::Growth, op::Operation, options::RunOptions,
+    point::GridPoint, region::Region,
 };
 
 /// Grows (`distance` > 0) or shrinks (`distance` < 0) shapes by a distance in µm, into a flat device called `offset`.
@@ -87,6 +88,7 @@ pub fn outline(
 }
 
 /// What [`outline`] draws.
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Frame {
     pub(super) distance: f64,
     pub(super) growth: Growth,
@@ -102,30 +104,39 @@ impl Frame {
     ) -> Result<Device, BooleanError> {
         let grid = options.grid()?;
         let operand = Operand::new("shapes", shapes)?;
-        let (contours, run) = (operand.contours(&grid)?, &options.run);
-        let moved = grid::offset(&contours, grid.scaled(self.distance), &self.growth, run)?;
-        let drawn = Region::merged(&contours, run)?;
-        let (frame, inside) = if self.distance > 0.0 { (moved, drawn) } else { (drawn, moved) };
-        let kept_free = inside.combine(&self.openings(&operand, &grid, options)?, Operation::Or, run)?;
-        let frame = frame.combine(&kept_free, Operation::Not, run)?;
+        let openings = grid::snap(&grid, self.openings(&operand, grid.step()))?;
+        let frame = self.region(&operand.contours(&grid)?, &openings, &grid, &options.run)?;
 
         let mut cell = Device::builder("outline");
         frame.draw(&mut cell, layers, options)?;
-        if self.open_ports != OpenPorts::Closed {
-            cell.add_ports(operand.ports_of_only_element())?;
-        }
+        cell.add_ports(self.ports_to_hand_on(&operand))?;
         Ok(cell.build()?)
     }
 
-    /// What the ports keep free.
-    fn openings(&self, operand: &Operand, grid: &Grid, options: &Options) -> Result<Region, BooleanError> {
-        let OpenPorts::Wider(margin) = self.open_ports else { return Ok(Region::new()) };
-        let mut openings = Contours::new();
-        for port in operand.ports() {
-            let corners = self.opening(&port, margin, grid.step());
-            openings.append(&grid::snap(grid, [corners])?);
-        }
-        Region::merged(&openings, &options.run)
+    /// The frame around some shapes, without the openings.
+    pub(super) fn region(
+        &self,
+        shapes: &Contours,
+        openings: &Contours,
+        grid: &Grid,
+        run: &RunOptions,
+    ) -> Result<Region, BooleanError> {
+        let moved = grid::offset(shapes, grid.scaled(self.distance), &self.growth, run)?;
+        let drawn = Region::merged(shapes, run)?;
+        let (frame, inside) = if self.distance > 0.0 { (moved, drawn) } else { (drawn, moved) };
+        let kept_free = inside.combine(&Region::merged(openings, run)?, Operation::Or, run)?;
+        frame.combine(&kept_free, Operation::Not, run)
+    }
+
+    /// The ports that a frame with openings has.
+    pub(super) fn ports_to_hand_on(&self, operand: &Operand) -> Vec<Port> {
+        if self.open_ports == OpenPorts::Closed { Vec::new() } else { operand.ports_of_only_element() }
+    }
+
+    /// What the ports keep free, on a grid of `step` µm.
+    pub(super) fn openings(&self, operand: &Operand, step: f64) -> Vec<[(f64, f64); 4]> {
+        let OpenPorts::Wider(margin) = self.open_ports else { return Vec::new() };
+        operand.ports().iter().map(|port| self.opening(port, margin, step)).collect()
     }
 
     /// The rectangle over a port, from two grid steps inside to four beyond the frame.

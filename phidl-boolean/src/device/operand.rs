@@ -5,7 +5,7 @@ use phidl_core::layer::Layer;
 use phidl_core::num::grid::Grid;
 use phidl_core::place::Bounded;
 use phidl_core::port::Port;
-use phidl_core::scene::Device;
+use phidl_core::scene::{Affects, Device};
 
 use super::Shapes;
 use crate::{
@@ -34,6 +34,18 @@ impl Operand {
     /// The shapes on one layer, rounded to the grid.
     pub(super) fn contours_on(&self, grid: &Grid, layer: Layer) -> Result<Contours, BooleanError> {
         snap_device(grid, &self.cell, Some(layer.into()))
+    }
+
+    /// The shapes on one layer, in the same hierarchy.
+    pub(super) fn on_layer(&self, layer: Layer) -> Result<Self, BooleanError> {
+        let mut cell = self.cell.edit();
+        cell.keep_layers(layer, Affects::Everything);
+        Ok(Self { cell: cell.build()? })
+    }
+
+    /// The cell that places all that was given.
+    pub(super) fn cell(&self) -> &Device {
+        &self.cell
     }
 
     /// The layers that something is drawn on, ascending.

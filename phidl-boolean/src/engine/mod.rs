@@ -98,17 +98,25 @@ impl Rule {
     }
 }
 
+/// The most points of a result: two results together must not be too many for one operation, so that an operation on
+/// regions that exist cannot be refused.
+const MOST_RESULT_POINTS: usize = edge::MAX_EDGES / 2 - 1;
+
 /// Runs one operation.
 ///
 /// # Errors
-/// Options out of range, coordinates out of range, too many edges, no threads, or cancelled.
+/// Options out of range, coordinates out of range, too many edges, a result that is too large, no threads, or cancelled.
 pub(crate) fn resolve(operands: [Operand; 2], rule: Rule, options: &RunOptions) -> Result<Region, BooleanError> {
     options.check()?;
     Watch::check(options.watch)?;
     for operand in &operands {
         operand.contours().check_range()?;
     }
-    options.on_threads(|| run(operands, rule, options))
+    let region = options.on_threads(|| run(operands, rule, options))?;
+    match region.contours().point_count() {
+        edges if edges > MOST_RESULT_POINTS => Err(BooleanError::TooLarge { edges, limit: MOST_RESULT_POINTS }),
+        _ => Ok(region),
+    }
 }
 
 fn run(operands: [Operand; 2], rule: Rule, options: &RunOptions) -> Result<Region, BooleanError> {
@@ -217,6 +225,12 @@ mod tests {
             let rule = Rule { operation: Operation::Or, fill: Fill::Positive };
             same_without_free([Operand::Wound(&a), Operand::Wound(&Contours::new())], rule)?;
         }
+    }
+
+    /// What the operators of [`Region`] rely on.
+    #[test]
+    fn two_results_are_never_too_many_edges_for_one_operation() {
+        const { assert!(2 * MOST_RESULT_POINTS < edge::MAX_EDGES) };
     }
 
     #[test]

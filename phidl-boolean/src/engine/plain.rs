@@ -130,10 +130,11 @@ fn is_plain_by_pairs(corners: &[GridPoint]) -> bool {
         Edge { l: a.min(b), r: a.max(b), delta: [0, 0] }
     };
     let edges: Vec<Edge> = (0..n).map(edge).collect();
-    (1..n).all(|j| (0..j).all(|i| is_clear_of(&edges[i], &edges[j])))
+    let is_new = |j: usize| !corners[..j].contains(&corners[j]);
+    (1..n).all(|j| is_new(j) && (0..j).all(|i| is_clear_of(&edges[i], &edges[j])))
 }
 
-/// Whether two edges of one outline leave each other alone; they may share an end.
+/// Whether two edges of one outline leave each other alone; neighbors share an end.
 fn is_clear_of(e: &Edge, f: &Edge) -> bool {
     let passes_end = |e: &Edge, p: GridPoint| p != e.l && p != e.r && in_box(e, p) && passes(e, e.cross(p));
     let crosses = opposite(e.cross(f.l), e.cross(f.r)) && opposite(f.cross(e.l), f.cross(e.r));
@@ -169,6 +170,7 @@ mod tests {
         assert_eq!(plain(&[(0, 0), (10, 0), (10, 10), (5, 0), (0, 10)]), None, "a corner on an edge");
         assert_eq!(plain(&[(0, 0), (10, 0), (10, 10), (15, 15), (10, 10), (0, 10)]), None, "a spike");
         assert_eq!(plain(&[(0, 0), (1000, 1), (500, 1)]), None, "thinner than a step");
+        assert_eq!(plain(&[(0, 0), (10, 5), (20, 0), (20, 10), (10, 5), (0, 10)]), None, "a corner on a corner");
         assert_eq!(plain(&[(0, 0), (5, 5), (9, 9)]), None, "no area");
         assert_eq!(plain(&[(0, 0), (5, 0), (5, 0), (0, 0)]), None, "an upright rectangle of no height");
         let pentagram = [(0, 20), (60, 20), (10, 60), (30, 0), (50, 60)];

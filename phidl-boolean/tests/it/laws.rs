@@ -68,6 +68,13 @@ proptest! {
     }
 
     #[test]
+    fn shapes_united_one_after_the_other_or_all_at_once_are_the_same(a in rectangles(12, 20)) {
+        let run = RunOptions::default();
+        let one_by_one = a.iter().map(|shape| Region::merged(&[shape.to_vec()].into_iter().collect(), &run).unwrap());
+        prop_assert_eq!(one_by_one.fold(Region::new(), |all, one| all | one), Region::merged(&a, &run).unwrap());
+    }
+
+    #[test]
     fn a_clean_region_without_slanted_edges_is_left_as_it_is(a in rectangles(12, 20)) {
         let merged = Region::merged(&a, &RunOptions::default()).unwrap();
         prop_assert_eq!(&(&merged | &merged), &merged);

@@ -2,9 +2,12 @@
 
 mod check;
 mod fracture;
+mod fuzzed;
+mod hierarchy;
 mod laws;
 mod offset;
 mod oracle;
+mod replay;
 mod run;
 mod shapes;
 

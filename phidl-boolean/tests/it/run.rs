@@ -66,6 +66,23 @@ fn coordinates_at_the_end_of_the_range_work_and_beyond_it_name_the_shape() {
 }
 
 #[test]
+fn operators_take_every_region_that_there_is() {
+    let m = MAX_COORDINATE;
+    let plane = merged(&shape(&[(-m, -m), (m, -m), (m, m), (-m, m)]));
+    let needles = merged(&shape(&[(-m, -m), (m, m - 1), (m, m), (1 - m, m), (0, 1), (-m, 1 - m)]));
+    for region in [&plane, &needles, &(&plane - &needles), &Region::new()] {
+        for other in [&plane, &needles] {
+            let [or, and, xor, not] = [region | other, region & other, region ^ other, region - other];
+            assert!([&or, &and, &xor, &not].iter().all(|r| r.contours().check_range().is_ok()));
+            assert!(or.area() + 4.0 * m as f64 >= region.area().max(other.area()));
+        }
+    }
+    // What would lie beyond the range is refused before it is a region.
+    let beyond = plane.offset(1.0, phidl_boolean::Join::default(), &RunOptions::default());
+    assert!(matches!(beyond, Err(BooleanError::OutOfRange { .. })), "{beyond:?}");
+}
+
+#[test]
 fn shapes_without_area_cover_nothing() {
     for points in [&[][..], &[(1, 1)], &[(1, 1), (5, 5)], &[(0, 0), (9, 9), (4, 4)], &[(2, 2), (2, 2), (2, 2), (2, 2)]]
     {

@@ -87,7 +87,8 @@ pub fn union(
     #[default(1e-4)]
     #[param(unit = "um", above = 0.0)]
     precision: f64,
-    /// Makes no difference to a union; it is there for scripts that set it.
+    /// Cannot make a difference: shapes united one after the other or all at once cover the same places, so the reference
+    /// ignores it too.
     #[default(true)]
     #[expect(unused_variables, reason = "a union has nothing to do first")]
     join_first: bool,

@@ -1,4 +1,10 @@
 //! [`kl_boolean`], [`kl_offset`], [`kl_outline`] and [`kl_invert`]: the same engine under KLayout's options.
+//!
+//! `merge_after` is taken and has nothing to act on. In the reference it merges what the tiles of a tiled run leave:
+//! pieces with seams, and pieces that overlap. The covered places are the same either way. Here an operation ends with
+//! outlines drawn once around the places that it covers; no piece exists before, so there is nothing to leave unmerged,
+//! whatever `tile_size` is. Handing out the input of an `or` in its place would be another operation: it neither rounds
+//! nor resolves shapes that cross themselves.
 
 use phidl_boolean::{Border, KlOptions, OpenPorts};
 use phidl_core::prelude::*;
@@ -53,7 +59,7 @@ pub fn kl_boolean(
     #[default(Some(TILE))]
     #[param(unit = "um")]
     tile_size: Option<Size>,
-    /// Makes no difference: results are always merged. It is there for scripts that set it.
+    /// Cannot make a difference (see the module): what is merged afterwards elsewhere never falls apart here.
     #[default(true)]
     #[expect(unused_variables, reason = "there is no other result than the merged one")]
     merge_after: bool,
@@ -108,7 +114,7 @@ pub fn kl_offset(
     #[default(Some(TILE))]
     #[param(unit = "um")]
     tile_size: Option<Size>,
-    /// Makes no difference: results are always merged. It is there for scripts that set it.
+    /// Cannot make a difference (see the module): what is merged afterwards elsewhere never falls apart here.
     #[default(true)]
     #[expect(unused_variables, reason = "there is no other result than the merged one")]
     merge_after: bool,
@@ -164,7 +170,7 @@ pub fn kl_outline(
     #[default(Some(TILE))]
     #[param(unit = "um")]
     tile_size: Option<Size>,
-    /// Makes no difference: results are always merged. It is there for scripts that set it.
+    /// Cannot make a difference (see the module): what is merged afterwards elsewhere never falls apart here.
     #[default(true)]
     #[expect(unused_variables, reason = "there is no other result than the merged one")]
     merge_after: bool,
@@ -214,7 +220,7 @@ pub fn kl_invert(
     #[default(Some(TILE))]
     #[param(unit = "um")]
     tile_size: Option<Size>,
-    /// Makes no difference: results are always merged. It is there for scripts that set it.
+    /// Cannot make a difference (see the module): what is merged afterwards elsewhere never falls apart here.
     #[default(true)]
     #[expect(unused_variables, reason = "there is no other result than the merged one")]
     merge_after: bool,
@@ -226,4 +232,22 @@ pub fn kl_invert(
     layer: Layers,
 ) -> Result<Device> {
     Ok(phidl_boolean::kl_invert(&elements, border, layer, &options(precision, tile_size, num_cpu))?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tiles_leave_nothing_to_merge_afterwards() {
+        let (a, b) = (circle(10, 2.5, 0).unwrap(), rectangle((12, 12), 1).unwrap());
+        for tile_size in [None, Some(Size::new(1.0, 1.0)), Some(TILE)] {
+            let cut = |merge_after: bool| {
+                let params = KlBooleanParams::new(a.clone(), b.clone(), "or");
+                params.tile_size(tile_size).merge_after(merge_after).build().unwrap()
+            };
+            assert_eq!(cut(true).hash_geometry(1e-4), cut(false).hash_geometry(1e-4));
+            assert_eq!(cut(false).polygons().count(), 1, "{tile_size:?}");
+        }
+    }
 }

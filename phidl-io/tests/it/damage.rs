@@ -1,9 +1,14 @@
 //! Damaged files: an error or a device, never a panic.
 
+use std::fs;
+use std::path::Path;
+
 use phidl_core::prelude::*;
 use phidl_io::gds::{self, GdsOptions, ReadOptions};
 use proptest::prelude::any;
 use proptest::proptest;
+
+use crate::fuzzed::reading_is_a_device_or_an_error;
 
 /// A small file with one of each kind of element.
 fn sample() -> Vec<u8> {
@@ -15,14 +20,6 @@ fn sample() -> Vec<u8> {
     d.add(dot.array(3, 2, (5, 5)).mirrored((0, 0), (1, 0)));
     d.add(Label::new("label", (1, 1), 2).rotated(90));
     gds::to_bytes(&d.build().unwrap(), &GdsOptions::default()).unwrap()
-}
-
-fn try_to_read(bytes: &[u8]) {
-    match gds::read_bytes(bytes, &ReadOptions::default()) {
-        // What can be read can be looked at.
-        Ok(import) => assert!(import.device.bbox().is_none_or(|b| b.min.is_finite() && b.max.is_finite())),
-        Err(error) => assert!(!error.in_full().is_empty()),
-    }
 }
 
 #[test]
@@ -47,9 +44,16 @@ fn any_byte_may_be_any_other() {
         for value in [0, 1, 2, 4, 5, 7, 8, 0x11, 0x7f, 0x80, 0xff] {
             let mut damaged = sample.clone();
             damaged[place] = value;
-            try_to_read(&damaged);
+            reading_is_a_device_or_an_error(&damaged);
         }
     }
+}
+
+#[test]
+fn bytes_that_the_fuzzer_kept_are_a_device_or_an_error() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fuzz/seeds/gds");
+    let files = fs::read_dir(&folder).unwrap().map(|file| fs::read(file.unwrap().path()).unwrap());
+    assert!(files.map(|bytes| reading_is_a_device_or_an_error(&bytes)).count() > 0, "{} is empty", folder.display());
 }
 
 proptest! {
@@ -60,11 +64,11 @@ proptest! {
             let place = place.index(damaged.len());
             damaged[place] = value;
         }
-        try_to_read(&damaged);
+        reading_is_a_device_or_an_error(&damaged);
     }
 
     #[test]
     fn any_bytes_are_no_reason_to_panic(bytes in proptest::collection::vec(any::<u8>(), 0..600)) {
-        try_to_read(&bytes);
+        reading_is_a_device_or_an_error(&bytes);
     }
 }

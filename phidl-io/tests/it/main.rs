@@ -3,5 +3,6 @@
 mod damage;
 mod files;
 mod foreign;
+mod fuzzed;
 mod hierarchy;
 mod round_trip;

@@ -1,0 +1,98 @@
+//! Which shifts of a cell round exactly like the cell itself.
+//!
+//! A shift by whole steps and rounding may be exchanged, with two exceptions: halves go away from zero, so that they
+//! round the other way on the other side of it; and doubles are noisy, so that two places are the same shift of each
+//! other only up to their last digits. [`Rounding`] says how close a cell comes to either.
+
+use std::collections::HashSet;
+
+use phidl_core::geom::{Matrix, Transform};
+use phidl_core::num::grid::Grid;
+use phidl_core::scene::Device;
+
+use super::item::Item;
+
+/// The grid takes noise below half of 2⁻²⁰ of a step off before it rounds.
+const QUIET: f64 = 1.0 / 2_097_152.0;
+
+/// So close to a half step a coordinate is one, whatever noise is added that is smaller again.
+const HALF: f64 = QUIET / 2.0;
+
+/// Share of a coordinate that composing transforms and applying them may add: some units in the last place.
+const NOISE: f64 = 1.0 / 1_125_899_906_842_624.0;
+
+/// Parts of a step in which a place that has been looked at already is remembered.
+const PARTS: f64 = 16_777_216.0;
+
+/// How the coordinates of placed cells lie between grid points.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Rounding {
+    /// Distance of the others from where they would round differently (steps).
+    clearance: f64,
+    /// Whether there are coordinates at half steps, along each axis.
+    has_halves: [bool; 2],
+}
+
+impl Rounding {
+    /// Of all that some items draw; of arrays, the first elements.
+    pub(super) fn of(items: &[Item], grid: &Grid) -> Self {
+        let mut survey =
+            Survey { grid, rounding: Self { clearance: 0.5, has_halves: [false; 2] }, seen: HashSet::new() };
+        items.iter().for_each(|item| survey.visit(&item.cell, &item.transform));
+        survey.rounding
+    }
+
+    /// Whether a shift that is off by `error` steps, of coordinates up to `reach`, rounds alike; `sides` tells on which
+    /// side of zero the two places are.
+    pub(super) fn allows(&self, error: f64, reach: f64, sides: [[i8; 2]; 2]) -> bool {
+        let noise = error + reach * NOISE + 1.0 / PARTS;
+        let keeps_halves =
+            |axis: usize| sides[0][axis] == sides[1][axis] && sides[0][axis] != 0 && noise < QUIET - HALF;
+        noise < self.clearance && (0..2).all(|axis| !self.has_halves[axis] || keeps_halves(axis))
+    }
+
+    fn add(&mut self, axis: usize, steps: f64) {
+        let from_half = ((steps - steps.floor()) - 0.5).abs();
+        if from_half <= HALF {
+            self.has_halves[axis] = true;
+        } else {
+            self.clearance = self.clearance.min(from_half - QUIET);
+        }
+    }
+}
+
+/// A walk that looks at every cell once for each way it lies on the grid.
+struct Survey<'a> {
+    grid: &'a Grid,
+    rounding: Rounding,
+    seen: HashSet<(usize, [u64; 4], [i64; 2])>,
+}
+
+impl Survey<'_> {
+    fn visit(&mut self, cell: &Device, transform: &Transform) {
+        let matrix = transform.matrix();
+        if !self.seen.insert((cell.address(), bits(&matrix), self.part(transform))) {
+            return;
+        }
+        for point in cell.polygons().flat_map(|polygon| polygon.points) {
+            let p = matrix.apply(*point);
+            self.rounding.add(0, p.x / self.grid.step());
+            self.rounding.add(1, p.y / self.grid.step());
+        }
+        for reference in cell.references() {
+            reference.elements().for_each(|place| self.visit(reference.device(), &place.then(transform)));
+        }
+    }
+
+    /// Where between grid points a place lies, in parts of a step.
+    #[expect(clippy::cast_possible_truncation, reason = "parts of one step")]
+    fn part(&self, transform: &Transform) -> [i64; 2] {
+        let part = |um: f64| ((um / self.grid.step()).rem_euclid(1.0) * PARTS).round() as i64;
+        [part(transform.origin.x), part(transform.origin.y)]
+    }
+}
+
+/// What tells two matrices apart, the shift not counted.
+fn bits(matrix: &Matrix) -> [u64; 4] {
+    [matrix.a, matrix.b, matrix.c, matrix.d].map(f64::to_bits)
+}
