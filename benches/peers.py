@@ -89,10 +89,21 @@ def shapes(jobs):
                 continue
             try:
                 params = {name: from_value(pg, p["kind"], p["value"]) for name, p in job["params"].items()}
+                if job["device"] == "union" and isinstance(params["D"], list):
+                    params["D"] = together(params["D"])
                 times[job["device"]] = {"PHIDL": best(lambda: function(**params))}
             except Exception as error:  # what PHIDL cannot draw is left out, and why is said
                 print(f"{job['device']}: PHIDL {type(error).__name__}: {error}".splitlines()[0], file=sys.stderr)
     return times
+
+
+def together(devices):
+    """PHIDL's union takes a single device."""
+    from phidl import Device
+
+    device = Device()
+    device << devices
+    return device
 
 
 def text(font):
