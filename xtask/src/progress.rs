@@ -4,7 +4,7 @@ use std::sync::mpsc::{Receiver, RecvError, RecvTimeoutError, Sender, channel};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
-use indicatif::{ProgressBar, ProgressDrawTarget};
+use indicatif::ProgressBar;
 
 /// Steps shorter than this are not worth a line.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -68,7 +68,7 @@ fn watch(news: &Receiver<News>) {
         next = match quiet_until(news, Instant::now() + PATIENCE) {
             Err(RecvTimeoutError::Disconnected) => return,
             Err(RecvTimeoutError::Timeout) => {
-                let spinner = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
+                let spinner = ProgressBar::new_spinner();
                 spinner.set_message(step.clone());
                 spinner.enable_steady_tick(Duration::from_millis(100));
                 let next = shown(news, &spinner, &step);
