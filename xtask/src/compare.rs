@@ -65,12 +65,19 @@ pub(crate) fn run(flags: &CompareFlags) -> anyhow::Result<()> {
     );
     let mut growth = Growths::default();
     for scene in scenes(flags.quick) {
-        if flags.filter.as_ref().is_none_or(|filter| scene.name.contains(filter.as_str())) {
+        let scene = chosen(scene, flags.filter.as_deref().unwrap_or_default());
+        if !scene.work.is_empty() {
             compare(&scene, flags, python.as_ref(), &mut growth)?;
         }
     }
     growth.print();
     Ok(())
+}
+
+/// The scene with the work whose line would contain a text.
+fn chosen(mut scene: Scene, filter: &str) -> Scene {
+    scene.work.retain(|work| line_name(scene.name, *work).contains(filter));
+    scene
 }
 
 /// Times of the same work on scenes of different sizes.
@@ -167,12 +174,16 @@ fn on_files(file: &Path, scene: &Scene, flags: &CompareFlags) -> anyhow::Result<
     Ok(total.trim().to_owned())
 }
 
+fn line_name(scene: &str, work: Work) -> String {
+    format!("{scene}: {}", work.name())
+}
+
 fn print_line(scene: &str, work: Work, ours: &Ours, others: &[(&str, f64)]) {
     let fastest = others.iter().map(|&(_, time)| time).fold(f64::INFINITY, f64::min);
     let named: Vec<String> = others.iter().map(|(peer, time)| format!("{peer} {:.1}", time * 1e3)).collect();
     println!(
         "{:<44} {:>9.1} {:>9.1} {:>14.1} {:>6.1} {:>10.1} {:>5.2}   {}",
-        format!("{scene}: {}", work.name()),
+        line_name(scene, work),
         ours.on_grid * 1e3,
         ours.on_devices * 1e3,
         fastest * 1e3,

@@ -204,7 +204,7 @@ impl BenchSection {
 /// Flags of `compare`.
 #[derive(Debug, Args)]
 pub(crate) struct CompareFlags {
-    /// Only scenes whose name contains this.
+    /// Only lines whose name contains this, such as `n = 10,000: or`.
     pub(crate) filter: Option<String>,
     /// Number of threads, for everyone who can use more than one.
     #[arg(long, value_name = "N", default_value_t = 2)]

@@ -64,7 +64,7 @@ pub fn ring(
     check.at_most("number of points", 2.0 * chords as f64, count::MOST as f64 - 2.0)?;
 
     let mut d = Device::builder("ring");
-    d.add_polygon(band(radius, width, &around(chords)), layer)?;
+    d.add_polygon(band(Point::ORIGIN, radius, width, &around(chords)), layer)?;
     d.build()
 }
 
@@ -153,9 +153,7 @@ pub(super) fn open_arc(
     let mut d = Device::builder("arc");
     let directions: Vec<Point> =
         linspace(start_angle, end_angle, points).map(|angle| Point::polar(1.0, angle)).collect();
-    let mut outline = band(radius, width, &directions);
-    outline.iter_mut().for_each(|p| *p += center);
-    d.add_polygon(outline, layer)?;
+    d.add_polygon(band(center, radius, width, &directions), layer)?;
     d.add_port("1", (center + Point::polar(radius, start_angle), width, start_angle - out))?;
     d.add_port("2", (center + Point::polar(radius, end_angle), width, end_angle + out))?;
     d.info("length", theta.abs().to_radians() * radius);
@@ -163,9 +161,9 @@ pub(super) fn open_arc(
 }
 
 /// The inner edge along some directions, then the outer edge back.
-fn band(radius: f64, width: f64, directions: &[Point]) -> Vec<Point> {
+fn band(center: Point, radius: f64, width: f64, directions: &[Point]) -> Vec<Point> {
     let (inner, outer) = (radius - width / 2.0, radius + width / 2.0);
-    let edge = |radius: f64| directions.iter().map(move |direction| *direction * radius);
+    let edge = |radius: f64| directions.iter().map(move |direction| center + *direction * radius);
     edge(inner).chain(edge(outer).rev()).collect()
 }
 

@@ -163,17 +163,22 @@ impl Swept {
     /// The leftmost and the rightmost point between two heights. A convex shape has each of them either at its own
     /// leftmost and rightmost points or at one of the two heights.
     fn reach(&self, bottom: f64, top: f64) -> Option<(f64, f64)> {
-        let ends = [self.low, self.high];
-        let extremes = ends.iter().filter(|end| (bottom..=top).contains(&end.y)).map(|end| (end.x, self.radius.x));
-        let cuts = [bottom, top].into_iter().flat_map(|y| {
-            let chords = ends.iter().filter_map(move |end| Some((end.x, self.half_chord(y - end.y)?)));
-            let sides = [self.side, -self.side].into_iter().filter_map(move |side| self.side_at(side, y));
-            chords.chain(sides.map(|x| (x, 0.0))).collect::<Vec<_>>()
-        });
-        extremes.chain(cuts).fold(None, |reach: Option<(f64, f64)>, (x, half)| {
-            let (left, right) = reach.unwrap_or((x, x));
-            Some((left.min(x - half), right.max(x + half)))
-        })
+        let (mut left, mut right) = (f64::INFINITY, f64::NEG_INFINITY);
+        let mut add = |x: f64, half: f64| (left, right) = (left.min(x - half), right.max(x + half));
+        for end in [self.low, self.high] {
+            if (bottom..=top).contains(&end.y) {
+                add(end.x, self.radius.x);
+            }
+            for half in [bottom, top].into_iter().filter_map(|y| self.half_chord(y - end.y)) {
+                add(end.x, half);
+            }
+        }
+        for side in [self.side, -self.side] {
+            for x in [bottom, top].into_iter().filter_map(|y| self.side_at(side, y)) {
+                add(x, 0.0);
+            }
+        }
+        (left <= right).then_some((left, right))
     }
 
     /// Half the width of the ellipse at a height over its middle.
