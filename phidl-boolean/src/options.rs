@@ -4,28 +4,36 @@ use std::fmt;
 
 use crate::{error::BooleanError, progress::Watch};
 
-/// Vertices per strip when nothing else is asked for; `benches/boolean.rs` compares the neighbors.
-const DEFAULT_STRIP_VERTICES: usize = 4_000;
+/// Vertices per strip where there are many; `benches/boolean.rs` compares the neighbors. Narrower strips see more edges
+/// twice, wider ones leave the caches.
+const STRIP_VERTICES: usize = 8_000;
+
+/// Vertices per strip at least where there are few.
+const FEWEST_STRIP_VERTICES: usize = 2_000;
+
+/// Strips that share the work among threads well enough, so that few vertices are divided this far only.
+const ENOUGH_STRIPS: usize = 16;
 
 /// How finely the plane is divided for the threads. The result is the same for all of them.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Division {
+    /// Into as many strips as the number of vertices suggests, whatever the number of threads.
+    #[default]
+    Automatic,
     /// Into strips of about this many vertices; more than zero.
     Vertices(usize),
     /// Into about this many strips; more than zero. Fewer where long edges would be in many of them.
     Strips(usize),
 }
 
-impl Default for Division {
-    fn default() -> Self {
-        Self::Vertices(DEFAULT_STRIP_VERTICES)
-    }
-}
-
 impl Division {
     /// Number of strips for so many edges, at least one.
     pub(crate) fn strips(self, edges: usize) -> usize {
         match self {
+            Self::Automatic => {
+                let few = (edges / FEWEST_STRIP_VERTICES).min(ENOUGH_STRIPS);
+                few.max(edges / STRIP_VERTICES).max(1)
+            }
             Self::Vertices(vertices) => edges.div_ceil(vertices).max(1),
             Self::Strips(strips) => strips.min(edges.max(1)),
         }

@@ -70,7 +70,8 @@ impl Bands {
             *start = total;
         }
         let mut entries = vec![Entry::default(); total];
-        for b in &boxes {
+        // From the last, so that bands keep the order of the edges, which is mostly from left to right already.
+        for b in boxes.iter().rev() {
             let first = frame.band_of(b.side_low);
             for band in frame.bands_of(*b) {
                 let entered = if band > first { ENTERED } else { 0 };

@@ -123,11 +123,6 @@ impl Free {
     pub(super) fn outline(&self, outline: usize) -> &[GridPoint] {
         self.outlines.get(self.order[outline].1 as usize).unwrap_or_default()
     }
-
-    /// Number of points of all outlines together.
-    pub(super) fn point_count(&self) -> usize {
-        self.outlines.point_count()
-    }
 }
 
 /// Drawn shapes cover what they enclose, however they run; others wind as they run.

@@ -36,6 +36,7 @@
 mod active;
 mod apart;
 mod bands;
+mod bent;
 mod edge;
 mod free;
 mod order;
@@ -47,10 +48,7 @@ mod span;
 mod sweep;
 mod trace;
 
-use std::sync::{
-    Mutex,
-    atomic::{AtomicUsize, Ordering},
-};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 
@@ -62,6 +60,8 @@ use crate::{
     progress::{Progress, Watch},
     region::Region,
 };
+use apart::Apart;
+use bent::Bent;
 use edge::Scene;
 use free::Free;
 use plan::StripPlan;
@@ -76,8 +76,8 @@ pub(crate) enum Operand<'a> {
     Wound(&'a Contours),
 }
 
-impl Operand<'_> {
-    fn contours(&self) -> &Contours {
+impl<'a> Operand<'a> {
+    fn contours(self) -> &'a Contours {
         match self {
             Self::Drawn(contours) | Self::Wound(contours) => contours,
         }
@@ -125,25 +125,21 @@ fn run(operands: [Operand; 2], rule: Rule, options: &RunOptions) -> Result<Regio
 
 /// Runs the strips for all contours but the free ones.
 fn run_around(free: &Free, operands: [Operand; 2], rule: Rule, options: &RunOptions) -> Result<Region, BooleanError> {
-    let scene = Scene::gather(&operands, free)?;
-    let plan = StripPlan::new(&scene.edges, options.division);
-    let mut work = Work::new(options.watch, 2 * plan.len());
+    let scene = Scene::new(&operands, free)?;
+    let plan = StripPlan::new(&scene, options.division);
+    let work = Work::new(options.watch, 2 * plan.len());
 
-    let mut snapped = work.each(plan.len(), |strip| snap::snap_strip(&scene, &plan, strip, &[]))?;
-    let touching = snap::self_touching(&mut snapped);
-    if !touching.is_empty() {
-        work.total += plan.len();
-        snapped = work.each(plan.len(), |strip| snap::snap_strip(&scene, &plan, strip, &touching))?;
-    }
-    let spans = Spans::join(&scene, &plan, &mut snapped, &touching);
-    drop(scene);
+    let snapped = work.each(plan.len(), |strip| snap::snap_strip(&scene, &plan, strip))?;
+    let bent = Bent::new(&scene, &plan, snapped);
+    let apart = Apart::fill(&bent);
+    let spans = Spans::join(&bent, &apart);
 
-    let pieces: Vec<_> = snapped.into_iter().map(|strip| Mutex::new(strip.pieces)).collect();
     let swept = work.each(plan.len(), |strip| {
-        let pieces = std::mem::take(&mut *pieces[strip].lock().expect("invariant: each strip is taken once"));
         let columns = plan.columns(strip);
         let points = free.in_columns(columns).map(|outline| free.begin(outline));
-        sweep::sweep_strip(pieces, &spans, strip, columns.1, rule, points)
+        let mut pieces = [apart.within(strip), spans.owned(strip)].concat();
+        bent.within(strip, |contour| !bent.is_apart(contour), |_, piece| pieces.push(piece));
+        sweep::sweep_strip(&pieces, &spans, strip, columns.1, rule, points)
     })?;
     Ok(trace::trace(&swept, spans.len(), free, rule))
 }

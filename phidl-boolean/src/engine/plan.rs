@@ -3,9 +3,11 @@
 //! Strips instead of square tiles, because the sweep then knows what lies below a strip: nothing. The sweep's list of
 //! active edges is longer than a tile's would be, but a search in it is logarithmic.
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 
-use super::edge::Edge;
+use super::edge::Scene;
 use crate::{jobs::per_job, options::Division};
 
 /// Samples of x per strip from which the borders are chosen.
@@ -17,31 +19,27 @@ const FEW_STRIPS: usize = 64;
 /// With more strips than that, at most one edge in this many may be seen twice; otherwise the strips are made wider.
 const SEEN_ONCE_PER_TWICE: usize = 6;
 
+/// Stretches of edges that are dealt out to the strips by one job each, at most: each has a list of all strips.
+const MOST_STRETCHES: usize = 64;
+
 /// Strips of the plane and the edges that touch each.
 ///
 /// The plan depends on the edges and the strip size alone, never on the threads.
 pub(super) struct StripPlan {
-    /// First grid column of each strip but the first, which begins at −∞.
-    firsts: Vec<i64>,
-    /// Numbers of the edges that touch each strip, ascending; strip `s` has `seen[starts[s]..starts[s + 1]]`.
-    seen: Vec<u32>,
-    starts: Vec<usize>,
-    /// Numbers of the edges that touch more than one strip, ascending.
-    long: Vec<u32>,
+    borders: Borders,
+    /// Numbers of the edges that touch each strip, ascending.
+    seen: Vec<Vec<u32>>,
 }
 
 impl StripPlan {
-    pub(super) fn new(edges: &[Edge], division: Division) -> Self {
-        let mut strips = division.strips(edges.len());
+    pub(super) fn new(scene: &Scene, division: Division) -> Self {
+        let mut strips = division.strips(scene.len());
         loop {
-            let firsts = borders(edges, strips);
-            let per_job = per_job(edges.len(), edges.len());
-            let each = edges.par_iter().with_min_len(per_job);
-            let ranges: Vec<(u32, u32)> = each.map(|edge| strip_range(&firsts, edge)).collect();
-            let seen = ranges.par_iter().with_min_len(per_job).map(|&(first, last)| (last - first) as usize + 1);
-            let sightings: usize = seen.sum();
-            if firsts.is_empty() || sightings <= most_sightings(edges.len(), strips) {
-                return Self::with_ranges(firsts, &ranges, sightings);
+            let borders = Borders::new(scene, strips);
+            let touched = borders.touched_by_all(scene);
+            let sightings: usize = touched.iter().flatten().map(|touched| touched.strips.len()).sum();
+            if borders.strips() == 1 || sightings <= most_sightings(scene.len(), strips) {
+                return Self { seen: borders.deal_out(touched), borders };
             }
             strips /= 2;
         }
@@ -49,53 +47,22 @@ impl StripPlan {
 
     /// Number of strips, at least one.
     pub(super) fn len(&self) -> usize {
-        self.firsts.len() + 1
+        self.seen.len()
     }
 
     /// The strip that owns a grid column.
     pub(super) fn strip_of(&self, x: i64) -> usize {
-        strip_of(&self.firsts, x)
+        self.borders.strip_of(x)
     }
 
     /// First and last grid column of a strip.
     pub(super) fn columns(&self, strip: usize) -> (i64, i64) {
-        let first = if strip == 0 { i64::MIN } else { self.firsts[strip - 1] };
-        (first, self.firsts.get(strip).map_or(i64::MAX, |next| next - 1))
+        self.borders.columns(strip)
     }
 
     /// Numbers of the edges that touch a strip, ascending.
     pub(super) fn seen(&self, strip: usize) -> &[u32] {
-        &self.seen[self.starts[strip]..self.starts[strip + 1]]
-    }
-
-    /// Numbers of the edges that touch more than one strip, ascending.
-    pub(super) fn long_edges(&self) -> &[u32] {
-        &self.long
-    }
-
-    fn with_ranges(firsts: Vec<i64>, ranges: &[(u32, u32)], sightings: usize) -> Self {
-        let mut starts = vec![0; firsts.len() + 2];
-        for &(first, last) in ranges {
-            for strip in first..=last {
-                starts[strip as usize + 1] += 1;
-            }
-        }
-        for strip in 1..starts.len() {
-            starts[strip] += starts[strip - 1];
-        }
-        let mut fill = starts.clone();
-        let mut seen = vec![0; sightings];
-        let mut long = Vec::new();
-        for (number, &(first, last)) in (0u32..).zip(ranges) {
-            for slot in &mut fill[first as usize..=last as usize] {
-                seen[*slot] = number;
-                *slot += 1;
-            }
-            if first < last {
-                long.push(number);
-            }
-        }
-        Self { firsts, seen, starts, long }
+        &self.seen[strip]
     }
 }
 
@@ -103,64 +70,184 @@ fn most_sightings(edges: usize, strips: usize) -> usize {
     if strips <= FEW_STRIPS { 2 * edges } else { edges + edges / SEEN_ONCE_PER_TWICE }
 }
 
-/// Columns that divide a sample of the vertices evenly.
-fn borders(edges: &[Edge], strips: usize) -> Vec<i64> {
-    if strips < 2 {
-        return Vec::new();
+/// First grid column of each strip but the first, which begins at −∞.
+struct Borders(Vec<i64>);
+
+impl Borders {
+    /// Columns that divide a sample of the vertices evenly.
+    fn new(scene: &Scene, strips: usize) -> Self {
+        if strips < 2 {
+            return Self(Vec::new());
+        }
+        let stride = (scene.len() / (strips * SAMPLES_PER_STRIP)).max(1);
+        let mut reader = scene.reader();
+        let mut sample: Vec<i64> =
+            numbers(0..scene.len()).step_by(stride).filter_map(|edge| Some(reader.columns(edge)?.0)).collect();
+        sample.par_sort_unstable();
+        let mut firsts: Vec<i64> =
+            (1..strips).filter_map(|strip| sample.get(strip * sample.len() / strips).copied()).collect();
+        firsts.dedup();
+        Self(firsts)
     }
-    let stride = (edges.len() / (strips * SAMPLES_PER_STRIP)).max(1);
-    let mut sample: Vec<i64> = edges.iter().step_by(stride).map(|edge| edge.l.x).collect();
-    sample.par_sort_unstable();
-    let mut firsts: Vec<i64> = (1..strips).map(|strip| sample[strip * sample.len() / strips]).collect();
-    firsts.dedup();
-    firsts
+
+    fn strips(&self) -> usize {
+        self.0.len() + 1
+    }
+
+    fn strip_of(&self, x: i64) -> usize {
+        self.0.partition_point(|&first| first <= x)
+    }
+
+    fn columns(&self, strip: usize) -> (i64, i64) {
+        let first = if strip == 0 { i64::MIN } else { self.0[strip - 1] };
+        (first, self.0.get(strip).map_or(i64::MAX, |next| next - 1))
+    }
+
+    /// The strip of a column that is probably in the strip `guess`.
+    #[inline]
+    fn strip_near(&self, x: i64, guess: usize) -> usize {
+        let (first, last) = self.columns(guess);
+        if first <= x && x <= last { guess } else { self.strip_of(x) }
+    }
+
+    /// The strips that all edges touch, by stretches of edges.
+    fn touched_by_all(&self, scene: &Scene) -> Vec<Vec<Touched>> {
+        let length = scene.len().div_ceil(MOST_STRETCHES).max(per_job(scene.len(), scene.len()));
+        let stretches = (0..scene.len().div_ceil(length)).into_par_iter();
+        stretches.map(|s| self.touched(scene, s * length..((s + 1) * length).min(scene.len()))).collect()
+    }
+
+    /// The strips that some edges touch. Edges that follow each other are mostly in one strip.
+    fn touched(&self, scene: &Scene, edges: Range<usize>) -> Vec<Touched> {
+        let mut touched = Vec::with_capacity(edges.len());
+        let (mut reader, mut first) = (scene.reader(), 0);
+        for edge in numbers(edges) {
+            if let Some((left, right)) = reader.columns(edge) {
+                first = self.strip_near(left, first);
+                touched.push(Touched { edge, strips: number(first)..number(self.strip_near(right, first)) + 1 });
+            }
+        }
+        touched
+    }
+
+    /// The edges that each strip sees.
+    fn deal_out(&self, touched: Vec<Vec<Touched>>) -> Vec<Vec<u32>> {
+        let edges = touched.iter().map(Vec::len).sum();
+        let dealt: Vec<Dealt> = touched.into_par_iter().map(|touched| Dealt::new(&touched, self.strips())).collect();
+        let seen = |strip| {
+            let mut seen = Vec::with_capacity(dealt.iter().map(|part| part.of(strip).len()).sum());
+            dealt.iter().for_each(|part| seen.extend_from_slice(part.of(strip)));
+            seen
+        };
+        let strips = (0..self.strips()).into_par_iter();
+        strips.with_min_len(per_job(self.strips(), edges)).map(seen).collect()
+    }
 }
 
-fn strip_of(firsts: &[i64], x: i64) -> usize {
-    firsts.partition_point(|&first| first <= x)
+/// An edge and the strips that it touches.
+struct Touched {
+    edge: u32,
+    strips: Range<u32>,
 }
 
-#[expect(clippy::cast_possible_truncation, reason = "there are fewer strips than edges, and those fit a u32")]
-fn strip_range(firsts: &[i64], edge: &Edge) -> (u32, u32) {
-    (strip_of(firsts, edge.l.x) as u32, strip_of(firsts, edge.r.x) as u32)
+/// A stretch of edges, dealt out to the strips.
+struct Dealt {
+    /// Strip `s` has `edges[starts[s]..starts[s + 1]]`.
+    starts: Vec<u32>,
+    edges: Vec<u32>,
+}
+
+impl Dealt {
+    fn new(touched: &[Touched], strips: usize) -> Self {
+        let mut starts = vec![0; strips + 1];
+        for Touched { strips, .. } in touched {
+            strips.clone().for_each(|strip| starts[strip as usize + 1] += 1);
+        }
+        for strip in 0..strips {
+            starts[strip + 1] += starts[strip];
+        }
+        let mut next = starts.clone();
+        let mut edges = vec![0; starts[strips] as usize];
+        for Touched { edge, strips } in touched {
+            for strip in strips.clone() {
+                let place = &mut next[strip as usize];
+                edges[*place as usize] = *edge;
+                *place += 1;
+            }
+        }
+        Self { starts, edges }
+    }
+
+    fn of(&self, strip: usize) -> &[u32] {
+        &self.edges[self.starts[strip] as usize..self.starts[strip + 1] as usize]
+    }
+}
+
+/// A number of an edge or a strip as it is stored.
+#[expect(clippy::cast_possible_truncation, reason = "edge numbers fit a u32, and strips are not more")]
+fn number(place: usize) -> u32 {
+    place as u32
+}
+
+fn numbers(edges: Range<usize>) -> Range<u32> {
+    number(edges.start)..number(edges.end)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::point::GridPoint;
+    use crate::{
+        contours::Contours,
+        engine::{Operand, free::Free},
+        point::GridPoint,
+    };
 
-    fn edge(x0: i64, x1: i64) -> Edge {
-        Edge { l: GridPoint::new(x0, 0), r: GridPoint::new(x1, 1), delta: [1, 0] }
+    /// Plans for contours of two edges each, from `x0` to `x1` and back.
+    fn with_plan(edges: impl Iterator<Item = (i64, i64)>, division: Division, test: impl Fn(&Scene, &StripPlan)) {
+        let there_and_back = |(x0, x1)| [GridPoint::new(x0, 0), GridPoint::new(x1, 1)];
+        let contours: Contours = edges.map(there_and_back).collect();
+        let operands = [Operand::Wound(&contours), Operand::Wound(&Contours::new())];
+        let scene = Scene::new(&operands, &Free::none(&operands)).unwrap();
+        test(&scene, &StripPlan::new(&scene, division));
     }
 
     #[test]
     fn every_column_belongs_to_the_strip_that_claims_it() {
-        let edges: Vec<_> = (0..100).map(|x| edge(x * 7 % 90, x * 7 % 90 + 3)).collect();
-        let plan = StripPlan::new(&edges, Division::Vertices(10));
-        assert!(plan.len() > 3);
-        for strip in 0..plan.len() {
-            let (first, last) = plan.columns(strip);
-            assert_eq!((plan.strip_of(first), plan.strip_of(last)), (strip, strip));
-        }
+        let edges = (0..50).map(|x| (x * 7 % 90, x * 7 % 90 + 3));
+        with_plan(edges, Division::Vertices(10), |_, plan| {
+            assert!(plan.len() > 3);
+            for strip in 0..plan.len() {
+                let (first, last) = plan.columns(strip);
+                assert_eq!((plan.strip_of(first), plan.strip_of(last)), (strip, strip));
+            }
+        });
     }
 
     #[test]
     fn a_strip_sees_all_edges_that_touch_it_and_no_others() {
-        let edges: Vec<_> = (0..100).map(|x| edge(x, x + 2)).collect();
-        let plan = StripPlan::new(&edges, Division::Vertices(20));
-        for strip in 0..plan.len() {
-            let (first, last) = plan.columns(strip);
-            let touching: Vec<u32> =
-                (0u32..).zip(&edges).filter(|(_, e)| e.l.x <= last && e.r.x >= first).map(|(i, _)| i).collect();
-            assert_eq!(plan.seen(strip), touching);
-        }
+        let edges = (0..3000).map(|x| (x % 700, x % 700 + 2)); // more than one stretch
+        with_plan(edges, Division::Vertices(200), |scene, plan| {
+            for strip in 0..plan.len() {
+                let (first, last) = plan.columns(strip);
+                let touches = |&number: &u32| scene.edge(number).l.x <= last && scene.edge(number).r.x >= first;
+                let touching: Vec<u32> = numbers(0..scene.len()).filter(touches).collect();
+                assert_eq!(plan.seen(strip), touching);
+            }
+        });
     }
 
     #[test]
     fn long_edges_make_strips_wider_instead_of_filling_every_strip() {
-        let edges: Vec<_> = (0..1000).map(|x| edge(x, x + 100_000)).collect();
-        let plan = StripPlan::new(&edges, Division::Vertices(1));
-        assert!((0..plan.len()).map(|strip| plan.seen(strip).len()).sum::<usize>() <= 2 * edges.len());
+        with_plan((0..500).map(|x| (x, x + 100_000)), Division::Vertices(1), |scene, plan| {
+            assert!((0..plan.len()).map(|strip| plan.seen(strip).len()).sum::<usize>() <= 2 * scene.len());
+        });
+    }
+
+    #[test]
+    fn nobody_sees_what_lies_between_repeated_points() {
+        let repeated: Contours = [[GridPoint::new(3, 0); 2].to_vec()].into_iter().collect();
+        let operands = [Operand::Wound(&repeated), Operand::Wound(&repeated)];
+        let scene = Scene::new(&operands, &Free::none(&operands)).unwrap();
+        assert!(StripPlan::new(&scene, Division::default()).seen(0).is_empty());
     }
 }

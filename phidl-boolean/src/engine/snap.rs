@@ -4,8 +4,6 @@
 //! with `d` twice the area between the edge and the point, the line of an edge `(dx, dy)` passes the inside of the
 //! square if `2 |d| < |dx| + |dy|`, and touches its one included corner if `dy < 0` and `2 d = |dx| + |dy|`.
 
-use std::cmp::Ordering;
-
 use super::{
     bands::Bands,
     edge::{Edge, Scene},
@@ -21,36 +19,26 @@ const FLOAT_RANGE: f64 = (1u64 << 32) as f64;
 
 /// A grid point through which an edge is bent.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Bend {
-    pub(super) edge: u32,
-    pub(super) at: GridPoint,
+struct Bend {
+    /// The place of the edge among those that the strip sees.
+    edge: u32,
+    at: GridPoint,
 }
 
 /// What one strip found.
-#[derive(Default)]
 pub(super) struct Snapped {
-    /// The edges that lie wholly in this strip, bent and cut into straight pieces.
-    pub(super) pieces: Vec<Edge>,
-    /// Bends of the edges that reach into other strips, by edge and then along it.
-    pub(super) bends: Vec<Bend>,
-    /// Like `pieces`, but of the contours that are filled apart; with the number of the contour.
-    pub(super) apart: Vec<(u32, Edge)>,
+    pub(super) bends: Bends,
+    /// The edges that reach into later strips, by their places among those that the strip sees.
+    pub(super) leaving: Vec<u32>,
     /// Drawn contours that touch or cross themselves.
-    touching: Vec<u32>,
+    pub(super) touching: Vec<u32>,
 }
 
-/// All self-touching contours, ascending.
-pub(super) fn self_touching(strips: &mut [Snapped]) -> Vec<u32> {
-    let mut all: Vec<u32> = strips.iter_mut().flat_map(|strip| std::mem::take(&mut strip.touching)).collect();
-    all.sort_unstable();
-    all.dedup();
-    all
-}
-
-/// Finds the bends of all edges inside one strip. The pieces of the contours `apart` (ascending) are kept apart.
-pub(super) fn snap_strip(scene: &Scene, plan: &StripPlan, strip: usize, apart: &[u32]) -> Snapped {
+/// Finds the bends of all edges inside one strip.
+pub(super) fn snap_strip(scene: &Scene, plan: &StripPlan, strip: usize) -> Snapped {
     let seen = plan.seen(strip);
-    let edges: Vec<Edge> = seen.iter().map(|&number| scene.edges[number as usize]).collect();
+    let mut reader = scene.reader();
+    let edges: Vec<Edge> = seen.iter().map(|&number| reader.edge(number)).collect();
     let columns = plan.columns(strip);
     let mut snapper =
         Snapper { scene, seen, edges: &edges, columns, bends: Vec::new(), crossings: Vec::new(), touching: Vec::new() };
@@ -58,7 +46,7 @@ pub(super) fn snap_strip(scene: &Scene, plan: &StripPlan, strip: usize, apart: &
     bands.for_each_pair(|a, b| snapper.meet(a, b));
     let crossings = std::mem::take(&mut snapper.crossings);
     bands.for_each_point(&crossings, |edge, point| snapper.pass(edge, point));
-    snapper.finish(apart)
+    snapper.finish()
 }
 
 struct Snapper<'a> {
@@ -145,65 +133,35 @@ impl Snapper<'_> {
     /// Neighbors along a contour share a vertex, all other edges of a drawn contour should not meet.
     fn note_self_touch(&mut self, a: u32, b: u32) {
         let (a, b) = (self.seen[a as usize], self.seen[b as usize]);
-        let (low, high) = (a.min(b) as usize, a.max(b) as usize);
-        let contours = &self.scene.contour_of;
-        let contour = contours[low];
-        if contour != contours[high] || high - low == 1 || !self.scene.is_drawn(contour) {
-            return;
-        }
-        let is_first = low == 0 || contours[low - 1] != contour;
-        let is_last = contours.get(high + 1) != Some(&contour);
-        if !(is_first && is_last) {
+        let contour = self.scene.contour_of(a);
+        if contour == self.scene.contour_of(b)
+            && self.scene.is_drawn(contour)
+            && !self.scene.are_neighbors(a.min(b), a.max(b))
+        {
             self.touching.push(contour);
         }
     }
 
-    fn finish(self, apart: &[u32]) -> Snapped {
-        let mut snapped = Snapped { touching: self.touching, ..Snapped::default() };
-        snapped.touching.sort_unstable();
-        snapped.touching.dedup();
-        snapped.pieces.reserve(self.edges.len() + self.bends.len());
-        let mut along = Along::new(self.edges.len(), self.bends);
-        for (index, e) in self.edges.iter().enumerate() {
-            let bends = along.sorted(index, e);
-            let is_whole = e.l.x >= self.columns.0 && e.r.x <= self.columns.1;
-            let contour = self.scene.contour_of[self.seen[index] as usize];
-            if !is_whole {
-                snapped.bends.extend(bends.iter().map(|bend| Bend { edge: self.seen[index], at: bend.at }));
-            } else if apart.binary_search(&contour).is_ok() {
-                snapped.apart.extend(pieces(e, bends).map(|piece| (contour, piece)));
-            } else {
-                snapped.pieces.extend(pieces(e, bends));
-            }
-        }
-        snapped
+    fn finish(mut self) -> Snapped {
+        self.touching.sort_unstable();
+        self.touching.dedup();
+        let leaving =
+            (0u32..).zip(self.edges).filter(|(_, e)| e.r.x > self.columns.1).map(|(place, _)| place).collect();
+        Snapped { bends: Bends::new(self.edges, &self.bends), leaving, touching: self.touching }
     }
 }
 
-/// An edge cut at its bends, which are in order and may repeat.
-pub(super) fn pieces(e: &Edge, bends: &[Bend]) -> impl Iterator<Item = Edge> {
-    let (mut from, delta) = (e.l, e.delta);
-    bends.iter().map(|bend| bend.at).chain([e.r]).filter_map(move |to| {
-        let start = std::mem::replace(&mut from, to);
-        match start.cmp(&to) {
-            Ordering::Less => Some(Edge { l: start, r: to, delta }),
-            // A falling edge that is bent within one grid column has a vertical piece, and those run upward.
-            Ordering::Greater => Some(Edge { l: to, r: start, delta: delta.map(|d| -d) }),
-            Ordering::Equal => None,
-        }
-    })
-}
-
-/// Bends grouped by edge.
-struct Along {
-    bends: Vec<Bend>,
+/// The bends of all edges that a strip sees, in the order in which each edge passes them; some repeat.
+pub(super) struct Bends {
+    points: Vec<GridPoint>,
+    /// Edge `e` of the strip has `points[starts[e]..starts[e + 1]]`.
     starts: Vec<u32>,
 }
 
-impl Along {
-    fn new(edges: usize, bends: Vec<Bend>) -> Self {
-        let mut starts = vec![0; edges + 1];
-        for bend in &bends {
+impl Bends {
+    fn new(edges: &[Edge], bends: &[Bend]) -> Self {
+        let mut starts = vec![0; edges.len() + 1];
+        for bend in bends {
             starts[bend.edge as usize] += 1;
         }
         let mut sum = 0;
@@ -211,25 +169,29 @@ impl Along {
             sum += *start;
             *start = sum;
         }
-        let mut grouped = vec![Bend { edge: 0, at: GridPoint::default() }; bends.len()];
+        let mut points = vec![GridPoint::default(); bends.len()];
         for bend in bends {
             starts[bend.edge as usize] -= 1;
-            grouped[starts[bend.edge as usize] as usize] = bend;
+            points[starts[bend.edge as usize] as usize] = bend.at;
         }
-        debug_assert_eq!(starts[edges] as usize, grouped.len());
-        Self { bends: grouped, starts }
+        for (e, range) in edges.iter().zip(starts.windows(2)) {
+            put_along(e, &mut points[range[0] as usize..range[1] as usize]);
+        }
+        Self { points, starts }
     }
 
-    /// The bends of one edge in the order in which it passes them.
-    fn sorted(&mut self, edge: usize, e: &Edge) -> &[Bend] {
-        let range = self.starts[edge] as usize..self.starts[edge + 1] as usize;
-        let bends = &mut self.bends[range];
-        if e.r.y >= e.l.y {
-            bends.sort_unstable_by_key(|bend| (bend.at.x, bend.at.y));
-        } else {
-            bends.sort_unstable_by_key(|bend| (bend.at.x, -bend.at.y));
-        }
-        bends
+    /// The bends of an edge, by its place among those that the strip sees.
+    #[inline]
+    pub(super) fn of(&self, edge: usize) -> &[GridPoint] {
+        &self.points[self.starts[edge] as usize..self.starts[edge + 1] as usize]
+    }
+}
+
+fn put_along(e: &Edge, bends: &mut [GridPoint]) {
+    if e.r.y >= e.l.y {
+        bends.sort_unstable();
+    } else {
+        bends.sort_unstable_by_key(|at| (at.x, -at.y));
     }
 }
 

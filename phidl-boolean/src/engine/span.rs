@@ -1,11 +1,9 @@
-//! Edges that reach over a seam, bent by what all strips found along them.
+//! Pieces that reach over a seam.
 
-use super::{
-    apart::fill_apart,
-    edge::{Edge, Scene},
-    plan::StripPlan,
-    snap::{Bend, Snapped, pieces},
-};
+use rayon::prelude::*;
+
+use super::{apart::Apart, bent::Bent, edge::Edge};
+use crate::jobs::per_job;
 
 /// The straight pieces that reach from one strip into another, numbered from left to right.
 ///
@@ -13,43 +11,40 @@ use super::{
 #[derive(Default)]
 pub(super) struct Spans {
     pieces: Vec<Edge>,
+    /// Strip `s` has `pieces[owned[s]..owned[s + 1]]`.
     owned: Vec<usize>,
     entering: Vec<Vec<u32>>,
 }
 
 impl Spans {
-    /// Joins the bends of all strips. Pieces that stay in one strip are added to that strip, after the contours `apart`
-    /// (ascending) have been filled.
-    pub(super) fn join(scene: &Scene, plan: &StripPlan, strips: &mut [Snapped], apart: &[u32]) -> Self {
-        let mut bends: Vec<Bend> = Vec::with_capacity(strips.iter().map(|strip| strip.bends.len()).sum());
-        strips.iter_mut().for_each(|strip| bends.append(&mut strip.bends));
-        bends.sort_by_key(|bend| bend.edge); // stable: strips are in order along each edge
-
-        let mut spans = Vec::new();
-        let mut route = |piece: Edge, strips: &mut [Snapped]| {
-            let strip = plan.strip_of(piece.l.x);
-            if strip == plan.strip_of(piece.r.x) { strips[strip].pieces.push(piece) } else { spans.push(piece) }
+    /// Joins what the strips know of each edge, and takes the pieces of contours that were filled apart.
+    pub(super) fn join(bent: &Bent, apart: &Apart) -> Self {
+        let strips = bent.plan.len();
+        let leaving: Vec<Leaving> = (0..strips)
+            .into_par_iter()
+            .with_min_len(per_job(strips, bent.scene.len()))
+            .map(|strip| Leaving::new(bent, apart, strip))
+            .collect();
+        let mut spans = Self {
+            pieces: Vec::with_capacity(leaving.iter().map(|own| own.pieces.len()).sum()),
+            owned: Vec::with_capacity(strips + 1),
+            entering: vec![Vec::new(); strips],
         };
-        let mut kept_apart: Vec<(u32, Edge)> =
-            strips.iter_mut().flat_map(|strip| std::mem::take(&mut strip.apart)).collect();
-        let mut rest = &bends[..];
-        for &number in plan.long_edges() {
-            let (own, others) = rest.split_at(rest.partition_point(|bend| bend.edge == number));
-            rest = others;
-            let contour = scene.contour_of[number as usize];
-            let pieces = pieces(&scene.edges[number as usize], own);
-            if apart.binary_search(&contour).is_ok() {
-                kept_apart.extend(pieces.map(|piece| (contour, piece)));
-            } else {
-                pieces.for_each(|piece| route(piece, strips));
-            }
+        for (strip, own) in leaving.iter().enumerate() {
+            spans.add(strip, own);
         }
-        fill_apart(kept_apart, scene).into_iter().for_each(|piece| route(piece, strips));
-        spans.sort_unstable_by_key(|span: &Edge| (span.l, span.r));
-        let mut merged = Vec::with_capacity(spans.len());
-        spans.into_iter().for_each(|span| push_merged(&mut merged, span));
-        drop_last_cancelled(&mut merged);
-        Self::with_pieces(merged, plan)
+        spans.owned.push(spans.pieces.len());
+        spans
+    }
+
+    #[expect(clippy::cast_possible_truncation, reason = "edge numbers fit a u32, and pieces are not more")]
+    fn add(&mut self, strip: usize, own: &Leaving) {
+        let first = self.pieces.len();
+        self.owned.push(first);
+        self.pieces.extend(&own.pieces);
+        for (number, &end) in (first as u32..).zip(&own.ends) {
+            self.entering[strip + 1..=end].iter_mut().for_each(|entering| entering.push(number));
+        }
     }
 
     pub(super) fn len(&self) -> usize {
@@ -66,31 +61,37 @@ impl Spans {
         &self.pieces[self.owned[strip]..self.owned[strip + 1]]
     }
 
-    /// The number of a piece.
+    /// The number of a piece whose left end is in a strip.
     #[expect(clippy::cast_possible_truncation, reason = "edge numbers fit a u32, and pieces are not more")]
-    pub(super) fn number_of(&self, piece: &Edge) -> u32 {
-        self.pieces.partition_point(|other| (other.l, other.r) < (piece.l, piece.r)) as u32
+    pub(super) fn number_of(&self, strip: usize, piece: &Edge) -> u32 {
+        let before = self.owned(strip).partition_point(|other| (other.l, other.r) < (piece.l, piece.r));
+        (self.owned[strip] + before) as u32
     }
 
     /// Numbers of the pieces that enter a strip over its left seam.
     pub(super) fn entering(&self, strip: usize) -> &[u32] {
         &self.entering[strip]
     }
+}
 
-    fn with_pieces(pieces: Vec<Edge>, plan: &StripPlan) -> Self {
-        let mut owned = vec![0; plan.len() + 1];
-        let mut entering = vec![Vec::new(); plan.len()];
-        for (number, piece) in (0u32..).zip(&pieces) {
-            let strip = plan.strip_of(piece.l.x);
-            owned[strip + 1] += 1;
-            for other in &mut entering[strip + 1..=plan.strip_of(piece.r.x)] {
-                other.push(number);
-            }
-        }
-        for strip in 1..owned.len() {
-            owned[strip] += owned[strip - 1];
-        }
-        Self { pieces, owned, entering }
+/// The pieces of one strip that leave it.
+struct Leaving {
+    /// By left end, then by right end; coinciding ones are made one.
+    pieces: Vec<Edge>,
+    /// The strip of each right end.
+    ends: Vec<usize>,
+}
+
+impl Leaving {
+    fn new(bent: &Bent, apart: &Apart, strip: usize) -> Self {
+        let mut all = apart.leaving(strip).to_vec();
+        bent.leaving(strip, |contour| !bent.is_apart(contour), |_, piece| all.push(piece));
+        all.sort_unstable_by_key(|piece| (piece.l, piece.r));
+        let mut pieces = Vec::with_capacity(all.len());
+        all.into_iter().for_each(|piece| push_merged(&mut pieces, piece));
+        drop_last_cancelled(&mut pieces);
+        let ends = pieces.iter().map(|piece| bent.plan.strip_of(piece.r.x)).collect();
+        Self { pieces, ends }
     }
 }
 

@@ -63,21 +63,20 @@ struct Known {
 
 /// Sweeps one strip, whose last grid column is `last`, and says what lies around some `points` of it (ascending).
 pub(super) fn sweep_strip(
-    mut pieces: Vec<Edge>,
+    pieces: &[Edge],
     spans: &Spans,
     strip: usize,
     last: i64,
     rule: Rule,
     points: impl Iterator<Item = GridPoint>,
 ) -> Swept {
-    pieces.extend_from_slice(spans.owned(strip));
-    let mut pieces = in_order(&pieces);
+    let mut pieces = in_order(pieces);
     let own = pieces.len();
     let mut entering: Vec<u32> = spans.entering(strip).to_vec();
     entering.sort_unstable_by(|&a, &b| upward_at_seam(&spans.piece(a), &spans.piece(b)));
     pieces.extend(entering.iter().map(|&number| spans.piece(number)));
 
-    let mut sweep = Sweep::new(rule, spans, &pieces, last);
+    let mut sweep = Sweep::new(rule, (spans, strip), &pieces, last);
     sweep.enter(own, &entering);
     sweep.run(own, points);
     sweep.swept
@@ -87,7 +86,7 @@ pub(super) fn sweep_strip(
 pub(super) fn boundary(pieces: &[Edge], operand: usize, rule: Rule) -> Vec<Edge> {
     let pieces = in_order(pieces);
     let spans = Spans::default();
-    let mut sweep = Sweep::new(rule, &spans, &pieces, i64::MAX);
+    let mut sweep = Sweep::new(rule, (&spans, 0), &pieces, i64::MAX);
     sweep.run(pieces.len(), std::iter::empty());
     let once = |(piece, known): (&Edge, &Known)| {
         let mut delta = [0, 0];
@@ -104,6 +103,7 @@ pub(super) fn boundary(pieces: &[Edge], operand: usize, rule: Rule) -> Vec<Edge>
 struct Sweep<'a> {
     rule: Rule,
     spans: &'a Spans,
+    strip: usize,
     pieces: &'a [Edge],
     /// Last grid column of the strip.
     last: i64,
@@ -117,12 +117,13 @@ struct Sweep<'a> {
 }
 
 impl<'a> Sweep<'a> {
-    fn new(rule: Rule, spans: &'a Spans, pieces: &'a [Edge], last: i64) -> Self {
+    fn new(rule: Rule, (spans, strip): (&'a Spans, usize), pieces: &'a [Edge], last: i64) -> Self {
         let unknown = Known { above: [0, 0], boundary: Boundary::None, name: 0 };
         let known = vec![unknown; pieces.len()];
         Self {
             rule,
             spans,
+            strip,
             pieces,
             last,
             known,
@@ -273,7 +274,7 @@ impl<'a> Sweep<'a> {
         self.swept.from.push(from);
         self.known[piece].name = name;
         if e.r.x > self.last {
-            self.swept.spans.push((self.spans.number_of(e), name));
+            self.swept.spans.push((self.spans.number_of(self.strip, e), name));
         }
     }
 }
