@@ -9,6 +9,9 @@ use std::cmp::Ordering;
 /// Bits of a key that one pass sorts by.
 const DIGIT: u32 = 9;
 
+/// Up to so many keys, sorting by comparison is faster.
+const FEW: usize = 200;
+
 /// A number with the x that it is sorted by: x in the upper half.
 type Key = u64;
 
@@ -44,6 +47,10 @@ fn number(key: Key) -> u32 {
 
 /// Keys in the order of their upper halves, which have so many bits.
 fn radix_sorted(mut keys: Vec<Key>, bits: u32) -> Vec<Key> {
+    if keys.len() <= FEW {
+        keys.sort_by_key(|key| key >> 32);
+        return keys;
+    }
     let passes = bits.div_ceil(DIGIT);
     let mut sorted = vec![0; if passes > 0 { keys.len() } else { 0 }];
     for pass in 0..passes {
