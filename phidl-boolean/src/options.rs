@@ -98,6 +98,12 @@ mod tests {
     use super::*;
 
     #[test]
+    fn few_vertices_are_not_divided_and_some_are_divided_enough_for_threads() {
+        let strips = [0, 1_999, 10_000, 52_000, 520_000].map(|edges| Division::Automatic.strips(edges));
+        assert_eq!(strips, [1, 1, 5, 16, 65]);
+    }
+
+    #[test]
     fn zero_threads_and_zero_strips_are_refused() {
         assert!(RunOptions { threads: Some(0), ..RunOptions::default() }.check().is_err());
         for division in [Division::Vertices(0), Division::Strips(0)] {

@@ -1,7 +1,7 @@
 //! `cargo xtask compare`: booleans and offsets of ours and of other tools, on the same files, in one sitting.
 //!
-//! Each line also tells how much the threads gain. Below the lines of a scene stands the memory of our command on its
-//! file, and at the end how the time grows with the work.
+//! Prints a table in Markdown, as it stands in `benches/README.md`, then time and memory of our command on the file of each
+//! scene, and how the time grows with the work.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -57,19 +57,24 @@ impl Work {
 pub(crate) fn run(flags: &CompareFlags) -> anyhow::Result<()> {
     std::fs::create_dir_all(&flags.out).with_context(|| flags.out.display().to_string())?;
     let python = Python::with_peers(&flags.out.join("peers"))?;
-    println!("times in ms, {} threads for everyone who can; ratio: the fastest other over ours", flags.threads);
-    println!("one thread: ours on grid on one thread, and that over ours on {}", flags.threads);
     println!(
-        "{:<44} {:>9} {:>9} {:>14} {:>6} {:>10} {:>5}",
-        "", "on grid", "devices", "fastest other", "ratio", "one thread", ""
+        "Times in ms; {} threads for everyone who can, and one for ours in the last column but one.\n",
+        flags.threads
     );
-    let mut growth = Growths::default();
+    println!("| scene and work | on grid | devices | {} | ratio | one thread | gain |", PEERS.join(" | "));
+    println!("|{}", "---|".repeat(PEERS.len() + 6));
+    let (mut growth, mut files) = (Growths::default(), Vec::new());
     for scene in scenes(flags.quick) {
         let scene = chosen(scene, flags.filter.as_deref().unwrap_or_default());
         if !scene.work.is_empty() {
             compare(&scene, flags, python.as_ref(), &mut growth)?;
+            if scene.work.iter().any(|work| matches!(work, Work::Boolean(..))) {
+                files.push(format!("{}: or, from file to file: {}", scene.name, on_file(&scene, flags)?));
+            }
         }
     }
+    println!();
+    files.iter().for_each(|line| println!("{line}"));
     growth.print();
     Ok(())
 }
@@ -138,29 +143,34 @@ fn scenes(quick: bool) -> Vec<Scene> {
 const BOOLEANS: [(Operation, &str); 4] =
     [(Operation::Or, "or"), (Operation::And, "and"), (Operation::Not, "not"), (Operation::Xor, "xor")];
 
+/// Prints a line of the table for each kind of work on a scene, whose file stays.
 fn compare(scene: &Scene, flags: &CompareFlags, python: Option<&Python>, growth: &mut Growths) -> anyhow::Result<()> {
-    let file = flags.out.join("scene.gds");
+    let file = scene_file(flags);
     let devices = draw(&scene.layers)?;
     layer_file::write(&both(&devices)?, &file, PRECISION)?;
     for &work in &scene.work {
         let ours = ours(&devices, work, flags.threads)?;
         growth.0.extend(scene.size.map(|size| (work, size, ours.on_grid)));
-        let mut others = Vec::new();
-        for peer in PEERS.into_iter().filter(|&peer| scene.is_small || peer != "phidl") {
-            if let Some(python) = python {
-                others.push((peer, theirs(python, &file, work, flags.threads, peer)?));
+        let time = |peer| match python {
+            Some(python) if scene.is_small || peer != "phidl" => {
+                theirs(python, &file, work, flags.threads, peer).map(Some)
             }
-        }
-        print_line(scene.name, work, &ours, &others);
-    }
-    if scene.work.iter().any(|work| matches!(work, Work::Boolean(..))) {
-        println!("{:<44} {}", format!("{}: or, from file to file", scene.name), on_files(&file, scene, flags)?);
+            _ => Ok(None),
+        };
+        let others = PEERS.into_iter().map(time).collect::<anyhow::Result<Vec<_>>>()?;
+        println!("{}", table_line(scene.name, work, &ours, &others));
     }
     Ok(())
 }
 
-/// What `cargo xtask boolean` says of its time and memory, in a process of its own: united layers of the file.
-fn on_files(file: &Path, scene: &Scene, flags: &CompareFlags) -> anyhow::Result<String> {
+fn scene_file(flags: &CompareFlags) -> PathBuf {
+    flags.out.join("scene.gds")
+}
+
+/// What `cargo xtask boolean` says of its time and memory on the file of the last scene, in a process of its own: united
+/// layers.
+fn on_file(scene: &Scene, flags: &CompareFlags) -> anyhow::Result<String> {
+    let file = scene_file(flags);
     let layer = |number: u8| format!("{}:{number}", file.display());
     // A scene of one layer is merged with itself.
     let second = if scene.layers[1].is_empty() { 1 } else { 2 };
@@ -178,20 +188,15 @@ fn line_name(scene: &str, work: Work) -> String {
     format!("{scene}: {}", work.name())
 }
 
-fn print_line(scene: &str, work: Work, ours: &Ours, others: &[(&str, f64)]) {
-    let fastest = others.iter().map(|&(_, time)| time).fold(f64::INFINITY, f64::min);
-    let named: Vec<String> = others.iter().map(|(peer, time)| format!("{peer} {:.1}", time * 1e3)).collect();
-    println!(
-        "{:<44} {:>9.1} {:>9.1} {:>14.1} {:>6.1} {:>10.1} {:>5.2}   {}",
-        line_name(scene, work),
-        ours.on_grid * 1e3,
-        ours.on_devices * 1e3,
-        fastest * 1e3,
-        fastest / ours.on_grid,
-        ours.on_one_thread * 1e3,
-        ours.on_one_thread / ours.on_grid,
-        named.join(", ")
-    );
+/// A line of the table; an empty field stands for whoever does not take part.
+fn table_line(scene: &str, work: Work, ours: &Ours, others: &[Option<f64>]) -> String {
+    let fastest = others.iter().flatten().copied().reduce(f64::min);
+    let times = [Some(ours.on_grid), Some(ours.on_devices)].into_iter().chain(others.iter().copied());
+    let times = times.map(|time| time.map_or_else(String::new, |time| format!("{:.1}", time * 1e3)));
+    let ratio = fastest.map_or_else(String::new, |fastest| format!("{:.1}", fastest / ours.on_grid));
+    let alone = [format!("{:.1}", ours.on_one_thread * 1e3), format!("{:.2}", ours.on_one_thread / ours.on_grid)];
+    let fields: Vec<String> = [line_name(scene, work)].into_iter().chain(times).chain([ratio]).chain(alone).collect();
+    format!("| {} |", fields.join(" | "))
 }
 
 /// Our times (s).
