@@ -20,6 +20,7 @@ mod offset;
 mod progress;
 mod python;
 mod stages;
+mod summary;
 
 use std::process::ExitCode;
 
