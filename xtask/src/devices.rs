@@ -1,5 +1,7 @@
 //! `cargo xtask devices`: the registry, readable.
 
+use std::io::{self, Write as _};
+
 use phidl_core::param::{Bounds, Kind};
 use phidl_core::registry;
 use phidl_core::runtime::{Entry, ParamInfo};
@@ -13,14 +15,12 @@ pub(crate) fn run(flags: &DevicesFlags) -> anyhow::Result<()> {
     let filter = flags.filter.as_deref().unwrap_or_default();
     let entries: Vec<&Entry> = registry::all().filter(|entry| entry.name.contains(filter)).collect();
     anyhow::ensure!(!entries.is_empty(), "no device has a name that contains {filter:?}");
-    if flags.json {
-        println!("{:#}", to_json(&entries));
-        return Ok(());
-    }
-    for entry in entries {
-        println!("{}", describe(entry));
-    }
-    Ok(())
+    let listing = match flags.json {
+        true => format!("{:#}", to_json(&entries)),
+        false => entries.into_iter().map(describe).collect::<Vec<_>>().join("\n"),
+    };
+    // Not println, which panics when whoever reads (head, less) has read enough.
+    Ok(writeln!(io::stdout().lock(), "{listing}")?)
 }
 
 /// What other programs need to draw devices by name: parameters with kinds in words, words to choose from, bounds, units
