@@ -275,7 +275,7 @@ fn basic_die(p: &Given) -> Formula {
     let place = p.value("text_location").as_list().map_or(Point::ORIGIN, |_| point(p.value("text_location")));
     let inset = p.number("street_width") + 20.0;
     let reach = |side: f64, at: f64, ink: f64| side / 2.0 + marks.max(inset + ink + at.abs());
-    Within(centered(reach(x, place.x, long), reach(y, place.y, 1.5 * p.number("text_size"))))
+    Within(centered(reach(x, place.x, long), reach(y, place.y, 1.5 * p.number("text_size").abs())))
 }
 
 fn text(p: &Given) -> Formula {
