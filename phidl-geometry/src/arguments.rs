@@ -1,9 +1,10 @@
-//! Spellings of parameters that several generators share: [`PerAxis`], [`Each`], [`LayerList`].
+//! Spellings of parameters that several generators share: [`PerAxis`], [`OpenSize`], [`Each`],
+//! [`LayerList`].
 //!
 //! They are types of their own, since what `#[device]` sees is a type, and "a number or a pair" is none that Rust has.
 //! In JSON they are what a script would write; in a record they have one form only, so that equal calls are one cell.
 
-use phidl_core::param::{Kind, Mismatch, Param};
+use phidl_core::param::{IntoOption, Kind, Mismatch, Param};
 use phidl_core::prelude::*;
 
 /// A length for each direction; one number stands for both.
@@ -61,6 +62,63 @@ impl Param for PerAxis {
             [both] => Ok(both.into()),
             [x, y] => Ok(Self { x, y }),
             _ => Err(Mismatch::new(value, "be one number, or one for x and one for y")),
+        }
+    }
+}
+
+/// Width and height (µm), of which one or both may be left open; given as a pair with `None` for an open one, or as `None`
+/// for both.
+///
+/// ```
+/// # use phidl_geometry::arguments::OpenSize;
+/// assert_eq!(OpenSize::from((10, None)), OpenSize { width: Some(10.0), height: None });
+/// assert_eq!(OpenSize::from(None), OpenSize::OPEN);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct OpenSize {
+    /// Extent along x (µm).
+    pub width: Option<f64>,
+    /// Extent along y (µm).
+    pub height: Option<f64>,
+}
+
+impl OpenSize {
+    /// Neither is given.
+    pub const OPEN: Self = Self { width: None, height: None };
+}
+
+impl<W: IntoOption<f64>, H: IntoOption<f64>> From<(W, H)> for OpenSize {
+    fn from((width, height): (W, H)) -> Self {
+        Self { width: width.into_option(), height: height.into_option() }
+    }
+}
+
+impl From<Option<Size>> for OpenSize {
+    fn from(size: Option<Size>) -> Self {
+        size.map_or(Self::OPEN, Self::from)
+    }
+}
+
+impl From<Size> for OpenSize {
+    fn from(size: Size) -> Self {
+        Self { width: Some(size.width), height: Some(size.height) }
+    }
+}
+
+impl Param for OpenSize {
+    fn kind() -> Kind {
+        Kind::Other("width and height, each a number or none")
+    }
+
+    fn to_value(&self) -> Value {
+        vec![self.width.to_value(), self.height.to_value()].into()
+    }
+
+    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+        match Option::<Vec<Option<f64>>>::from_value(value)?.as_deref() {
+            None => Ok(Self::OPEN),
+            Some([width, height]) => Ok(Self { width: *width, height: *height }),
+            Some(_) => Err(Mismatch::new(value, "be a width and a height, null for an open one")),
         }
     }
 }
@@ -168,6 +226,16 @@ mod tests {
         }
         assert!(PerAxis::from_value(&Value::from([1, 2, 3])).is_err());
         assert!(PerAxis::from_value(&Value::from("x")).is_err());
+    }
+
+    #[test]
+    fn a_size_may_be_open_in_every_direction_and_spelling() {
+        for size in [OpenSize::from((10, None)), (1, 2).into(), OpenSize::OPEN] {
+            assert_eq!(OpenSize::from_value(&size.to_value()).unwrap(), size);
+        }
+        assert_eq!(OpenSize::from_value(&Value::Null).unwrap(), OpenSize::OPEN);
+        assert_eq!((OpenSize::from(None), OpenSize::from((None, None))), (OpenSize::OPEN, OpenSize::OPEN));
+        assert!(OpenSize::from_value(&vec![1.0].into()).is_err());
     }
 
     #[test]

@@ -50,7 +50,8 @@ impl Path {
     }
 
     /// Draws a single strip along the path: of one width (µm), from one to another (a pair), or of a width that is a
-    /// function of the part of the length that lies behind.
+    /// function of the part of the length that lies behind. Ports have names, and here is none to give: a strip with ports
+    /// is a [`CrossSection`] of one [`Section`](crate::Section).
     ///
     /// ```
     /// # use phidl_path::Path;

@@ -1,25 +1,26 @@
 //! `cargo xtask devices`: the registry, readable.
 
+use std::io::{self, Write as _};
+
 use phidl_core::param::{Bounds, Kind};
 use phidl_core::registry;
 use phidl_core::runtime::{Entry, ParamInfo};
 use serde_json::{Value as Json, json};
 
 use crate::flags::DevicesFlags;
+use crate::summary::first_paragraph;
 
 /// Prints every registered device whose name matches.
 pub(crate) fn run(flags: &DevicesFlags) -> anyhow::Result<()> {
     let filter = flags.filter.as_deref().unwrap_or_default();
     let entries: Vec<&Entry> = registry::all().filter(|entry| entry.name.contains(filter)).collect();
     anyhow::ensure!(!entries.is_empty(), "no device has a name that contains {filter:?}");
-    if flags.json {
-        println!("{:#}", to_json(&entries));
-        return Ok(());
-    }
-    for entry in entries {
-        println!("{}", describe(entry));
-    }
-    Ok(())
+    let listing = match flags.json {
+        true => format!("{:#}", to_json(&entries)),
+        false => entries.into_iter().map(describe).collect::<Vec<_>>().join("\n"),
+    };
+    // Not println, which panics when whoever reads (head, less) has read enough.
+    Ok(writeln!(io::stdout().lock(), "{listing}")?)
 }
 
 /// What other programs need to draw devices by name: parameters with kinds in words, words to choose from, bounds, units
@@ -56,7 +57,7 @@ fn choices(kind: &Kind) -> Option<&'static [&'static str]> {
 
 /// Name, first paragraph of the docs, and a line for each parameter.
 fn describe(entry: &Entry) -> String {
-    let summary = entry.docs.trim().split("\n\n").next().unwrap_or_default().replace('\n', " ");
+    let summary = first_paragraph(entry.docs);
     let mut text = format!("{}  ({} {})\n    {summary}\n", entry.name, entry.module, entry.version);
     for param in entry.params() {
         text += &format!("    {}\n", describe_param(&param));
@@ -74,6 +75,22 @@ fn describe_param(param: &ParamInfo) -> String {
         takes += &format!(", {}", param.bounds);
     }
     let default = param.default.as_ref().map_or_else(|| "required".to_owned(), |default| format!("= {default}"));
-    let docs = param.docs.trim().lines().next().unwrap_or_default();
+    let docs = first_paragraph(param.docs);
     format!("{:<18} {default:<14} {docs}\n    {:<18} {:<14} ({takes})", param.name, "", "")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_listing_has_a_link_or_half_a_sentence() {
+        for entry in registry::all() {
+            let params = entry.params().into_iter().map(|param| first_paragraph(param.docs));
+            for docs in std::iter::once(first_paragraph(entry.docs)).chain(params) {
+                assert!(docs.ends_with('.') && !docs.contains("]("), "{}: {docs:?}", entry.name);
+                assert!(describe(entry).contains(&docs), "{}: {docs:?}", entry.name);
+            }
+        }
+    }
 }

@@ -20,7 +20,9 @@ mod offset;
 mod progress;
 mod python;
 mod stages;
+mod summary;
 
+use std::io;
 use std::process::ExitCode;
 
 use clap::Parser;
@@ -44,11 +46,17 @@ fn main() -> ExitCode {
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
+        Err(error) if is_broken_pipe(&error) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("error: {error:#}");
             ExitCode::FAILURE
         }
     }
+}
+
+/// Whether the one who reads what we print has gone: no fault of ours or theirs.
+fn is_broken_pipe(error: &anyhow::Error) -> bool {
+    error.downcast_ref::<io::Error>().is_some_and(|error| error.kind() == io::ErrorKind::BrokenPipe)
 }
 
 /// An error of the libraries with the whole way from the outermost cell to the rule.

@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
 
 use phidl_boolean::{Growth, Join, Options, boolean, offset, xor_diff};
 use phidl_core::prelude::*;
@@ -177,6 +177,16 @@ fn a_file_that_is_read_is_not_replaced() {
         assert!(fails(folder.path(), line).contains("--out must be another file"));
     }
     assert_eq!(fs::read(folder.path().join("in.gds")).unwrap(), before);
+}
+
+#[test]
+fn a_reader_that_has_read_enough_is_no_error() {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_xtask"));
+    let mut listing =
+        command.arg("devices").stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts");
+    drop(listing.stdout.take());
+    let output = listing.wait_with_output().unwrap();
+    assert!(output.status.success() && output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
 }
 
 #[test]

@@ -1,13 +1,14 @@
 //! [`Value`] in any format that serde knows: floats stay floats, integers integers.
 
 use std::collections::BTreeMap;
+use std::error::Error as _;
 use std::fmt;
 
 use serde::de::{Deserialize, Deserializer, Error as _, MapAccess, SeqAccess, Visitor};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
-use super::Value;
-use crate::runtime::registry;
+use super::{Param as _, Value};
+use crate::runtime::{Recipe, registry};
 use crate::scene::Device;
 
 impl Serialize for Value {
@@ -55,6 +56,24 @@ impl<'de> Deserialize<'de> for Value {
     /// Plain values only: a device comes as a map, and the parameter that takes it has it drawn.
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_any(Plain)
+    }
+}
+
+impl<'de> Deserialize<'de> for Recipe {
+    /// `{"device": NAME, "params": {…}}` or `"NAME"`, of a generator that is linked in. Names are looked up, values only
+    /// when it is drawn.
+    ///
+    /// ```
+    /// # use phidl_core::prelude::*;
+    /// let unknown: Result<Recipe, _> = serde_json::from_str(r#"{"device": "rign", "params": {"radius": 20}}"#);
+    /// assert!(unknown.unwrap_err().to_string().contains("there is no generator \"rign\""));
+    /// ```
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let value = Value::deserialize(deserializer)?;
+        Self::from_value(&value).map_err(|mismatch| {
+            let cause = mismatch.source().map(ToString::to_string);
+            D::Error::custom(cause.unwrap_or_else(|| mismatch.to_string()))
+        })
     }
 }
 

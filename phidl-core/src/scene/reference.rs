@@ -247,6 +247,29 @@ impl Reference {
         Ok(inner)
     }
 
+    /// A cell that holds this placement alone, named after the placed cell, with its ports where they are now: for what
+    /// takes a device.
+    ///
+    /// ```
+    /// # use phidl_core::prelude::*;
+    /// # let mut d = Device::builder("pad");
+    /// # d.add_polygon([(0, 0), (4, 0), (4, 2), (0, 2)], 1)?;
+    /// # let pad = d.build()?;
+    /// let moved = pad.place().moved_by((10, 0)).alone()?;
+    /// assert_eq!(moved.bbox(), Some(Rect::new((10, 0), (14, 2))));
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As for [`DeviceBuilder::add`](crate::scene::DeviceBuilder::add): a placement that is not finite, or that refused
+    /// a word.
+    pub fn alone(&self) -> Result<Device> {
+        let mut d = Device::builder(self.device.name());
+        d.add(self.clone());
+        d.add_ports(self.ports())?;
+        d.build()
+    }
+
     /// Refuses what cannot be placed, in the name of a cell.
     pub(crate) fn check(&self, device: &str) -> Result<()> {
         let what = || format!("reference to \"{}\"", self.device.name());

@@ -12,5 +12,5 @@ pub use device_list::{DeviceList, Slot};
 pub use grid::{GridParams, GridShape, grid};
 pub use gridsweep::{GridsweepParams, gridsweep};
 pub use lattice::{EdgeX, EdgeY};
-pub use packer::{MaxSize, PackerParams, packer};
+pub use packer::{PackerParams, packer};
 pub use sweep::Sweep;

@@ -8,57 +8,16 @@
 //! larger than the reference's for the same boxes. (Boxes are rounded up to the packing grid here. Rounding them down, as
 //! the reference does, saves less than a thousandth of the area and brings neighbors closer than they may be.)
 
-use phidl_core::param::{Check, Kind, Mismatch, Param};
+use phidl_core::param::Check;
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
 use super::maxrects::{Room, Rule, pack};
+use crate::arguments::OpenSize;
 use crate::basic::rectangle;
 
 /// Floating point noise in a size, in steps of the packing grid: less than this is not rounded up to a whole step.
 const NOISE: f64 = 1e-6;
-
-/// The largest width and height of a bin (µm); none is without limit.
-///
-/// ```
-/// # use phidl_geometry::arrange::MaxSize;
-/// assert_eq!(MaxSize::from((25, 10)), MaxSize { width: Some(25.0), height: Some(10.0) });
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct MaxSize {
-    /// Largest extent along x.
-    pub width: Option<f64>,
-    /// Largest extent along y.
-    pub height: Option<f64>,
-}
-
-impl MaxSize {
-    /// A bin as large as it has to be.
-    pub const UNLIMITED: Self = Self { width: None, height: None };
-}
-
-impl<W: Into<f64>, H: Into<f64>> From<(W, H)> for MaxSize {
-    fn from((width, height): (W, H)) -> Self {
-        Self { width: Some(width.into()), height: Some(height.into()) }
-    }
-}
-
-impl Param for MaxSize {
-    fn kind() -> Kind {
-        Kind::Other("width and height, null for no limit")
-    }
-
-    fn to_value(&self) -> Value {
-        vec![Value::from(self.width), self.height.into()].into()
-    }
-
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
-        match Vec::<Option<f64>>::from_value(value)?[..] {
-            [width, height] => Ok(Self { width, height }),
-            _ => Err(Mismatch::new(value, "be a width and a height, null for no limit")),
-        }
-    }
-}
 
 /// Packs cells by their bounding boxes and places the bins side by side.
 ///
@@ -115,9 +74,9 @@ pub fn packer(
     #[param(above = 0)]
     aspect_ratio: Size,
     /// Largest width and height of a bin, with half of `spacing` around every cell; none is without limit.
-    #[default(MaxSize::UNLIMITED)]
+    #[default(OpenSize::OPEN)]
     #[param(unit = "um", above = 0)]
-    max_size: MaxSize,
+    max_size: OpenSize,
     /// Whether large boxes are packed before small ones; otherwise in the order of the list.
     #[default(true)]
     sort_by_area: bool,

@@ -66,7 +66,7 @@ pub fn circle(
 /// None.
 ///
 /// # Errors
-/// More than 16,777,215 points.
+/// A radius of 0. More than 16,777,215 points.
 ///
 /// # Numerics
 /// `⌈360 / angle_resolution⌉` chords at equal steps of the **polar angle** φ, not of the parameter of the ellipse:
@@ -85,9 +85,9 @@ pub fn circle(
 /// Own design, compatible with PHIDL's `ellipse`.
 #[device(picture = "docs/ellipse.svg")]
 pub fn ellipse(
-    /// Half axes along x and y.
+    /// Half axes along x and y; a negative one starts on the left.
     #[default((10, 5))]
-    #[param(unit = "um", above = 0.0)]
+    #[param(unit = "um")]
     radii: Size,
     /// Largest angle between neighboring points.
     #[default(2.5)]
@@ -98,7 +98,9 @@ pub fn ellipse(
     layer: Layers,
 ) -> Result<Device> {
     let Size { width: a, height: b } = radii;
-    let flatness = a / b;
+    let check = Check::device("ellipse");
+    check.that("radii", format_args!("{radii} µm"), a != 0.0 && b != 0.0, "not be 0")?;
+    let (flatness, a) = (a / b, a * b.signum());
     closed_curve("ellipse", count::per_turn(angle_resolution), layer, |direction| {
         let (x, y) = (direction.x, flatness * direction.y);
         direction * (a / (x * x + y * y).sqrt())
@@ -124,6 +126,15 @@ mod tests {
         let (e, c) = (ellipse((7, 7), 3, 0).unwrap(), circle(7, 3, 0).unwrap());
         let far = |d: &Device| d.polygons().next().unwrap().points.to_vec();
         assert!(far(&e).iter().zip(far(&c)).all(|(p, q)| p.distance(q) < 1e-12));
+    }
+
+    #[test]
+    fn one_negative_radius_turns_an_ellipse_by_half_and_two_do_not() {
+        let first = |radii: (f64, f64)| ellipse(radii, 90, 0).unwrap().polygons().next().unwrap().points[0];
+        assert_eq!(first((-3.0, 8.0)), Point::new(-3.0, 0.0));
+        assert_eq!(first((3.0, -8.0)), Point::new(-3.0, 0.0));
+        assert_eq!(first((-3.0, -8.0)), Point::new(3.0, 0.0));
+        assert!(ellipse((3, 0), 2.5, 0).is_err() && ellipse((0, 3), 2.5, 0).is_err());
     }
 
     #[test]

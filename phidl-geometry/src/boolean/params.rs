@@ -8,7 +8,9 @@ use phidl_macros::Choice;
 /// Fewer points than this mean no limit.
 const FEWEST_POINTS: usize = 5;
 
-/// One device, several, or none.
+/// One device, several, or none. A placement is given as a cell of its own,
+/// [`Reference::alone`](phidl_core::scene::Reference::alone); phidl-boolean's functions take placements and bare outlines
+/// as they are.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Elements(pub Vec<Device>);
 

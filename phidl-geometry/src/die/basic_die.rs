@@ -86,7 +86,7 @@ impl TextLocation {
 /// None.
 ///
 /// # Errors
-/// `street_length` must be at least `street_width`, or the corner marks would cross themselves.
+/// `street_length` must be at least `street_width`, or the corner marks would cross themselves. Letters of no size.
 ///
 /// # Numerics
 /// The drawn box of the name stands 20 µm inside the corner marks, whatever `text_size` is. The box is filled.
@@ -119,9 +119,9 @@ pub fn basic_die(
     /// What is written into it; an empty name is not.
     #[default("chip99")]
     die_name: String,
-    /// Height of the letters.
+    /// Height of the letters; a negative one turns the name by 180°.
     #[default(100.0)]
-    #[param(unit = "um", above = 0.0)]
+    #[param(unit = "um")]
     text_size: f64,
     /// Where the name stands: `N`, `NE`, `E`, `SE`, `S`, `SW`, `W`, `NW`, `C`, or a point for its center.
     #[default(DieSide::Sw)]
@@ -216,6 +216,16 @@ mod tests {
         assert_eq!(at(DieSide::Sw.into()), Rect::new((-4880, -4880), (-4460, -4740)));
         assert_eq!(at(DieSide::N.into()), Rect::new((-210, 4740), (210, 4880)));
         assert_eq!(at((100, 200).into()), Rect::new((-110, 130), (310, 270)));
+    }
+
+    #[test]
+    fn a_name_of_negative_size_stands_turned_in_the_same_box() {
+        let name = |size: i32| BasicDieParams::default().text_size(size).draw_bbox(false).build().unwrap();
+        let (upright, turned) = (name(100), name(-100));
+        let boxes = |d: &Device| d.references()[0].bbox().unwrap();
+        assert_eq!(boxes(&upright), boxes(&turned));
+        assert!(upright.drawing_hash() != turned.drawing_hash());
+        assert!(BasicDieParams::default().text_size(0).build().is_err());
     }
 
     #[test]

@@ -17,7 +17,7 @@ use phidl_macros::device;
 /// None.
 ///
 /// # Errors
-/// `scale` is empty.
+/// `scale` is empty, or a mark has no height.
 ///
 /// # Examples
 /// ```
@@ -32,9 +32,9 @@ use phidl_macros::device;
 /// Own design, compatible with PHIDL's `litho_ruler`.
 #[device(picture = "docs/litho_ruler.svg")]
 pub fn litho_ruler(
-    /// Height that `scale` multiplies.
+    /// Height that `scale` multiplies; a negative one hangs the marks from the x axis.
     #[default(2.0)]
-    #[param(unit = "um", above = 0.0)]
+    #[param(unit = "um")]
     height: f64,
     /// Width of the marks.
     #[default(0.5)]
@@ -44,9 +44,8 @@ pub fn litho_ruler(
     #[default(1.2)]
     #[param(unit = "um")]
     spacing: f64,
-    /// Heights of the marks in units of `height`, from the first mark on and over again.
+    /// Heights of the marks in units of `height`, from the first mark on and over again; negative ones point the other way.
     #[default([3, 1, 1, 1, 1, 2, 1, 1, 1, 1])]
-    #[param(above = 0.0)]
     scale: Vec<f64>,
     /// How many marks; none draws nothing.
     #[default(21)]
@@ -56,7 +55,12 @@ pub fn litho_ruler(
     #[default(0)]
     layer: Layers,
 ) -> Result<Device> {
-    Check::device("litho_ruler").that("scale", "empty", !scale.is_empty(), "name at least one height")?;
+    let check = Check::device("litho_ruler");
+    check.that("scale", "empty", !scale.is_empty(), "name at least one height")?;
+    check.that("height", format_args!("{height} µm"), height != 0.0, "not be 0")?;
+    for (i, scale) in scale.iter().enumerate() {
+        check.that(&format!("scale[{i}]"), *scale, *scale != 0.0, "not be 0")?;
+    }
     let mut d = Device::builder("litho_ruler");
     for (i, scale) in scale.iter().cycle().take(num_marks).enumerate() {
         let (x, top) = (spacing * i as f64, height * scale);
@@ -80,5 +84,14 @@ mod tests {
     fn no_marks_draw_nothing_and_no_heights_are_refused() {
         assert!(litho_ruler(2, 0.5, 1, [3], 0, 0).unwrap().is_empty());
         assert!(litho_ruler(2, 0.5, 1, [0.0; 0], 5, 0).is_err());
+        assert!(litho_ruler(0, 0.5, 1, [3], 5, 0).is_err());
+        let error = litho_ruler(2, 0.5, 1, [3, 0], 5, 0).unwrap_err();
+        assert_eq!(error.to_string(), "litho_ruler: scale[1] is 0, but it must not be 0");
+    }
+
+    #[test]
+    fn marks_hang_down_or_point_both_ways() {
+        assert_eq!(litho_ruler(-2, 0.5, 1.2, [3, 1], 21, 0).unwrap().bbox(), Some(Rect::new((0, -6), (24.5, 0))));
+        assert_eq!(litho_ruler(2, 0.5, 1.2, [2, -1], 21, 0).unwrap().bbox(), Some(Rect::new((0, -2), (24.5, 4))));
     }
 }

@@ -2,11 +2,12 @@
 
 use phidl_core::error::ParamError;
 use phidl_core::num::count;
-use phidl_core::param::{Check, IntoOption, Kind, Mismatch, Param};
+use phidl_core::param::Check;
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
 use super::{OptimalHairpinParams, OptimalStepParams};
+use crate::arguments::OpenSize;
 use crate::compass;
 
 /// Points of the inner edge of a turn.
@@ -15,50 +16,6 @@ const TURN_POINTS: usize = 20;
 const ROW_NOISE: f64 = 1e-9;
 /// More rows than this are taken for a mistake.
 const MOST_ROWS: usize = 1_000_000;
-
-/// Width and height (µm), of which one or both may be left open; given as a pair, with `None` for an open one.
-///
-/// ```
-/// # use phidl_geometry::OpenSize;
-/// assert_eq!(OpenSize::from((10, None)), OpenSize { width: Some(10.0), height: None });
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct OpenSize {
-    /// Extent along x (µm).
-    pub width: Option<f64>,
-    /// Extent along y (µm).
-    pub height: Option<f64>,
-}
-
-impl<W: IntoOption<f64>, H: IntoOption<f64>> From<(W, H)> for OpenSize {
-    fn from((width, height): (W, H)) -> Self {
-        Self { width: width.into_option(), height: height.into_option() }
-    }
-}
-
-impl From<Size> for OpenSize {
-    fn from(size: Size) -> Self {
-        Self { width: Some(size.width), height: Some(size.height) }
-    }
-}
-
-impl Param for OpenSize {
-    fn kind() -> Kind {
-        Kind::Other("width and height, each a number or none")
-    }
-
-    fn to_value(&self) -> Value {
-        vec![self.width.to_value(), self.height.to_value()].into()
-    }
-
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
-        match Option::<Vec<Option<f64>>>::from_value(value)?.as_deref() {
-            None => Ok(Self::default()),
-            Some([width, height]) => Ok(Self { width: *width, height: *height }),
-            Some(_) => Err(Mismatch::new(value, "be a width and a height")),
-        }
-    }
-}
 
 /// Draws a meander of [`optimal_hairpin`](fn@crate::optimal_hairpin)s: a superconducting nanowire single-photon
 /// detector.
@@ -312,15 +269,6 @@ mod tests {
         let error = SnspdParams::default().size((1, 1.3)).build().unwrap_err().in_full();
         assert!(error.starts_with("in snspd: optimal_hairpin: length is 0.5 µm"), "{error}");
         assert!(SnspdParams::default().size((10, 1e9)).build().is_err());
-    }
-
-    #[test]
-    fn a_size_comes_back_from_its_value_and_null_is_open() {
-        for size in [OpenSize::from((10, None)), (1, 2).into(), OpenSize::default()] {
-            assert_eq!(OpenSize::from_value(&size.to_value()).unwrap(), size);
-        }
-        assert_eq!(OpenSize::from_value(&Value::Null).unwrap(), OpenSize::default());
-        assert!(OpenSize::from_value(&vec![1.0].into()).is_err());
     }
 
     #[test]

@@ -63,7 +63,9 @@ impl Param for Arms {
 ///
 /// # Errors
 /// `theta` must be at least 0 and less than 90: it is the tilt of one arm, half of the angle between both. The source must
-/// be longer than the tip reaches below its corners, `rho sin theta`, or the tip would cut it in two.
+/// be longer than the tip reaches below its corners, `rho sin theta`, or the tip would cut it in two. Beyond a `theta` of
+/// 30° the inner edge of an arm begins below the outer one, and must not have crossed over where that begins: arms must be
+/// wide enough.
 ///
 /// # Numerics
 /// The tip is an arc of `⌊(180 − 2 theta) / theta_resolution⌋ + 2` points. Widths of arms are measured along x.
@@ -114,9 +116,18 @@ pub fn ytron_round(
     let corner = Point::polar(rho, theta);
     // The common part is measured from the corners, and the tip stands on the origin.
     let depth = corner.y;
-    Check::device("ytron_round").greater("source_length", source_length, ("the depth of the tip", depth))?;
+    let check = Check::device("ytron_round");
+    check.greater("source_length", source_length, ("the depth of the tip", depth))?;
     let along = |length: f64| Point::polar(length, 90.0 - theta);
     let (left_arm, right_arm) = (along(arm_lengths.left), along(arm_lengths.right));
+    // How far the inner edges begin below the outer ones: from the end of the tip to the corner.
+    let below = 2.0 * corner.y - rho;
+    for (name, width, arm) in
+        [("arm_widths.left", arm_widths.left, left_arm), ("arm_widths.right", arm_widths.right, right_arm)]
+    {
+        let taken = if below > 0.0 { arm.x * below / (arm.y + below) } else { 0.0 };
+        check.greater(name, width, ("what the inner edge takes of it", taken))?;
+    }
     let (left, right) = (corner.x + arm_widths.left, corner.x + arm_widths.right);
     let bottom = corner.y - source_length;
     let sides = [
@@ -166,6 +177,18 @@ mod tests {
         assert!((d.ymin() - (100.0 * 2_f64.to_radians().sin() - 50.0)).abs() < 1e-9);
         let error = YtronRoundParams::default().rho(100).theta(2).source_length(3).build().unwrap_err();
         assert!(error.to_string().contains("greater than the depth of the tip, 3.48"), "{error}");
+    }
+
+    #[test]
+    fn arms_that_the_inner_edge_would_cross_are_refused() {
+        // At 80°, an arm of 120 µm starts 2·50·sin 80° - 50 = 48.5 µm below: the edge is 83 µm aside where the outer begins.
+        let arms =
+            |width: f64| YtronRoundParams::default().rho(50).theta(80).arm_lengths((120, 120)).arm_widths((200, width));
+        let least =
+            120.0 * 80_f64.to_radians().sin() * 48.480_775_301 / (120.0 * 80_f64.to_radians().cos() + 48.480_775_301);
+        assert!(outlines_are_simple(&arms(least + 1e-3).build().unwrap()));
+        let error = arms(least - 1e-3).build().unwrap_err().to_string();
+        assert!(error.contains("arm_widths.right is") && error.contains("what the inner edge takes"), "{error}");
     }
 
     #[test]

@@ -27,6 +27,9 @@ const MOST_PERIODS: usize = 1_000_000;
 /// # Ports
 /// `1` at the right end, facing 0°: `width` wide at the end of the taper, or as wide as the slab.
 ///
+/// # Errors
+/// A `fill_factor` of 1 with `partial_etch`, which leaves nothing to etch. (Teeth touch then.)
+///
 /// # Numerics
 /// Teeth are `fill_factor · period` wide, bars what is left of a period; bars overhang the slab by 5 µm on each side.
 ///
@@ -57,7 +60,7 @@ pub fn grating(
     period: f64,
     /// Part of a period that is not etched.
     #[default(0.5)]
-    #[param(above = 0.0, below = 1.0)]
+    #[param(above = 0.0, max = 1.0)]
     fill_factor: f64,
     /// Length of the teeth, or width of the slab.
     #[default(5.0)]
@@ -83,10 +86,13 @@ pub fn grating(
     #[param(named)]
     layer_etch: Layers,
 ) -> Result<Device> {
-    Check::device("grating").at_most("num_periods", num_periods, MOST_PERIODS)?;
+    let check = Check::device("grating");
+    check.at_most("num_periods", num_periods, MOST_PERIODS)?;
     let mut d = Device::builder("grating");
     let last = (num_periods - 1) as f64 * period;
     if partial_etch {
+        let rule = "be less than 1, since the rest of a period is etched";
+        check.that("fill_factor", fill_factor, fill_factor < 1.0, rule)?;
         let bar = Size::new(period * (1.0 - fill_factor), width_grating + 2.0 * OVERHANG);
         row(&mut d, &compass(bar, layer_etch)?, num_periods, period);
         let slab = compass((last + bar.width, width_grating), layer)?.place().moved_by((last / 2.0, 0));
@@ -136,6 +142,13 @@ mod tests {
         assert!((bars.max.y - slab[0].max.y - 5.0).abs() < 1e-12);
         let port = d.port("1").unwrap();
         assert!(port.midpoint().distance(Point::new(2.35, 0.0)) < 1e-12 && port.width() == 4.0);
+    }
+
+    #[test]
+    fn teeth_that_fill_their_period_touch_and_bars_of_no_width_are_refused() {
+        let full = GratingParams::default().num_periods(5).period(1).fill_factor(1);
+        assert_eq!(full.clone().length_taper(4).width(1).build().unwrap().area(), 5.0 * 5.0 + 12.0);
+        assert!(full.partial_etch(true).build().is_err());
     }
 
     #[test]

@@ -9,8 +9,7 @@ use phidl_core::registry;
 use phidl_core::runtime::{Entry, Record};
 use phidl_geometry as pg;
 use proptest::prelude::*;
-use proptest::test_runner::{Config, TestRunner};
-use testkit::domain::params;
+use testkit::domain::{params, search};
 
 /// How far a drawing may leave its box, in parts of the box and its distance from the origin.
 const NOISE: f64 = 1e-9;
@@ -275,7 +274,7 @@ fn basic_die(p: &Given) -> Formula {
     let place = p.value("text_location").as_list().map_or(Point::ORIGIN, |_| point(p.value("text_location")));
     let inset = p.number("street_width") + 20.0;
     let reach = |side: f64, at: f64, ink: f64| side / 2.0 + marks.max(inset + ink + at.abs());
-    Within(centered(reach(x, place.x, long), reach(y, place.y, 1.5 * p.number("text_size"))))
+    Within(centered(reach(x, place.x, long), reach(y, place.y, 1.5 * p.number("text_size").abs())))
 }
 
 fn text(p: &Given) -> Formula {
@@ -385,7 +384,7 @@ fn test_ic(p: &Given) -> Formula {
 
 /// Draws a shape with random parameters and looks at its box.
 fn try_everywhere(entry: &'static Entry) {
-    let mut runner = TestRunner::new(Config { cases: 64, failure_persistence: None, ..Config::default() });
+    let mut runner = search(64);
     let values = params(entry).expect("only shapes with such parameters are taken");
     let outcome = runner.run(&values, |params| {
         let (Ok(device), Ok(record)) = (entry.build(&params), entry.record(&params)) else { return Ok(()) };

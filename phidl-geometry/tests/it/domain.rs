@@ -5,8 +5,7 @@ use phidl_core::prelude::*;
 use phidl_core::registry;
 use phidl_core::runtime::Entry;
 use proptest::prelude::*;
-use proptest::test_runner::{Config, TestRunner};
-use testkit::domain::params;
+use testkit::domain::{params, search};
 use testkit::golden::merged_area;
 
 /// How far a port may be from the edge that it sits on (µm).
@@ -19,7 +18,7 @@ fn shapes() -> impl Iterator<Item = &'static Entry> {
 
 /// Draws a shape with random parameters; a refusal is as good as a drawing, a panic is not.
 fn for_every_drawing(entry: &'static Entry, law: impl Fn(&Device) -> Result<(), TestCaseError>) {
-    let mut runner = TestRunner::new(Config { cases: 32, failure_persistence: None, ..Config::default() });
+    let mut runner = search(32);
     let values = params(entry).expect("only shapes with such parameters are taken");
     let outcome = runner.run(&values, |params| match entry.build(&params) {
         Ok(device) => law(&device),

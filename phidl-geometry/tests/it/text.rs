@@ -197,7 +197,8 @@ fn a_stencil_of_an_outline_font_encloses_nothing() {
     let lost = whole.area() - bridged.area();
     // Over forty bridges, through strokes of 100 to 300 units.
     assert!(lost > 40.0 * 100.0 * 100.0 && lost < 80.0 * 100.0 * 300.0, "{lost}");
-    assert!(font.write("o").stencil(2000).build().unwrap_err().to_string().contains("no room"));
+    let error = font.write("ψ o").stencil(2000).build().unwrap_err().to_string();
+    assert!(error.contains("no room") && error.contains("in 'o' of"), "{error}");
 }
 
 #[test]

@@ -37,7 +37,8 @@ impl Limits<'_> {
         Err(refused(cell, item(), "magnification", magnification, "be from 1e-70 to 1e70".to_owned()))
     }
 
-    /// Texts are ASCII: gdspy stops at anything else, and every other reader guesses.
+    /// Texts are ASCII: gdspy stops at anything else, and every other reader guesses. Line ends are taken by all of them
+    /// (and written by PHIDL's `gridsweep`, as by ours).
     fn writable(
         &self,
         cell: &Device,
@@ -50,7 +51,7 @@ impl Limits<'_> {
             let value = format!("{} bytes long", text.len());
             return Err(refused(cell, item(), what, value, format!("have at most {most}")));
         }
-        let foreign = |c: &char| !c.is_ascii() || c.is_ascii_control();
+        let foreign = |c: &char| !c.is_ascii() || (c.is_ascii_control() && *c != '\n');
         match text.chars().find(foreign) {
             None => Ok(()),
             Some(c) => {
@@ -100,5 +101,6 @@ mod tests {
         let error = Limits(&GdsLimits::READERS).text(&cell, "5 µm", item).unwrap_err();
         assert!(error.to_string().contains("'µ'"), "{error}");
         assert!(Limits(&GdsLimits::READERS).text(&cell, "a\0b", item).is_err());
+        assert!(Limits(&GdsLimits::MANUAL).text(&cell, "radius=1\nlayer=2", item).is_ok());
     }
 }

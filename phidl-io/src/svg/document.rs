@@ -155,8 +155,28 @@ fn text(label: &Label) -> String {
     format!(
         "<text{} text-anchor=\"{across}\" dominant-baseline=\"{up}\">{}</text>",
         placement(&transform),
-        escaped(&label.text)
+        lines(&label.text, up)
     )
+}
+
+/// The text of a label, each of several lines in an element of its own: SVG takes a line end for a space.
+fn lines(text: &str, up: &str) -> String {
+    /// From one line to the next, in heights of letters.
+    const PITCH: f64 = 1.2;
+    let below = text.matches('\n').count() as f64;
+    if below == 0.0 {
+        return escaped(text);
+    }
+    let raised = match up {
+        "text-before-edge" => 0.0,
+        "central" => below / 2.0,
+        _ => below,
+    };
+    let line = |(i, line): (usize, &str)| {
+        let step = if i == 0 { -raised * PITCH } else { PITCH };
+        format!("<tspan x=\"0\" dy=\"{}em\">{}</tspan>", length(step), escaped(line))
+    };
+    text.split('\n').enumerate().map(line).collect()
 }
 
 fn anchors(anchor: Anchor) -> (&'static str, &'static str) {
@@ -230,6 +250,15 @@ mod tests {
             </svg>
         "##]]
         .assert_eq(&draw(&d.build().unwrap(), &options));
+    }
+
+    #[test]
+    fn lines_of_a_label_stand_one_below_the_other_around_its_anchor() {
+        let (first, second) = ("<tspan x=\"0\" dy=\"", "<tspan x=\"0\" dy=\"1.2em\">b &lt;</tspan>");
+        for (up, raised) in [("text-before-edge", "0"), ("central", "-0.6"), ("text-after-edge", "-1.2")] {
+            assert_eq!(lines("a\nb <", up), format!("{first}{raised}em\">a</tspan>{second}"));
+        }
+        assert_eq!(lines("a & b", "central"), "a &amp; b");
     }
 
     #[test]

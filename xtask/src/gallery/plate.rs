@@ -8,6 +8,7 @@ use phidl_core::runtime::Entry;
 use phidl_io::svg;
 
 use super::figure_options;
+use crate::summary::first_paragraph;
 
 /// Modules whose results are only understood beside what they were made from.
 const SHOW_SOURCES: [&str; 3] = ["phidl_geometry::boolean", "phidl_geometry::fill", "phidl_geometry::select::extract"];
@@ -53,33 +54,13 @@ fn plate(entry: &'static Entry) -> anyhow::Result<Plate> {
     Ok(Plate {
         name: entry.name,
         family: entry.module.split("::").take(2).collect::<Vec<_>>().join("::"),
-        summary: plain(entry.docs.split("\n\n").next().unwrap_or_default()),
+        summary: first_paragraph(entry.docs),
         file,
         device,
         figure,
         rust: format!("{}.build()?", entry.example_source),
         json: json(entry, &params),
     })
-}
-
-/// A paragraph of Markdown without its links, code marks and line ends.
-fn plain(markdown: &str) -> String {
-    let mut text = String::new();
-    let mut rest = markdown;
-    while let Some((before, link)) = rest.split_once('[') {
-        text += before;
-        match link.split_once("](") {
-            Some((shown, target)) => {
-                text += shown;
-                rest = target.split_once(')').map_or("", |(_, after)| after);
-            }
-            None => {
-                text.push('[');
-                rest = link;
-            }
-        }
-    }
-    (text + rest).replace('`', "").replace('\n', " ")
 }
 
 fn krate(entry: &Entry) -> &'static str {
@@ -107,13 +88,24 @@ fn devices_in(value: &Value, found: &mut Vec<Device>) {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeSet;
+
+    use phidl_io::gds::{self, GdsOptions, ReadOptions};
+
     use super::*;
 
+    /// What a generator draws and labels must be what a file can say: a sweep labels its cells in several lines.
     #[test]
-    fn summaries_are_plain_text() {
-        assert_eq!(
-            plain("Runs it; see [`boolean`](fn@super::boolean).\nOr `[a, b]`."),
-            "Runs it; see boolean. Or [a, b]."
-        );
+    fn every_plate_can_be_written_to_a_file_and_read_back() {
+        for plate in all(|_| {}).unwrap() {
+            let bytes = gds::to_bytes(&plate.device, &GdsOptions::default());
+            let bytes = bytes.unwrap_or_else(|error| panic!("{}: {}", plate.name, error.in_full()));
+            let back = gds::read_bytes(&bytes, &ReadOptions::default()).unwrap();
+            assert_eq!(back.problems, [], "{}", plate.name);
+            let texts = |device: &Device| -> BTreeSet<String> {
+                device.cells().iter().flat_map(|cell| cell.labels().iter().map(|label| label.text.clone())).collect()
+            };
+            assert_eq!(texts(&back.device), texts(&plate.device), "{}", plate.name);
+        }
     }
 }

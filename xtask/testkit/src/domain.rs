@@ -8,6 +8,15 @@ use phidl_core::runtime::{Entry, ParamInfo};
 use proptest::collection::{btree_map, vec};
 use proptest::prelude::*;
 use proptest::sample::select;
+use proptest::test_runner::{Config, TestRunner};
+
+/// A search through a domain: so many cases, or as many as `PROPTEST_CASES` says, for a longer look by hand.
+#[must_use]
+pub fn search(cases: u32) -> TestRunner {
+    let usual = Config::default();
+    let cases = if std::env::var_os("PROPTEST_CASES").is_some() { usual.cases } else { cases };
+    TestRunner::new(Config { cases, failure_persistence: None, ..usual })
+}
 
 /// Values for all parameters that can be drawn at random, inside their bounds; the others keep their defaults.
 ///

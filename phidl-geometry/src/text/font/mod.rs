@@ -78,7 +78,10 @@ impl OutlineFont {
         for placed in shape::line(&self.font, line) {
             let glyph = match drawn.entry(placed.glyph) {
                 Entry::Occupied(known) => known.into_mut(),
-                Entry::Vacant(new) => new.insert(self.glyph(placed.glyph, pen, scale)?),
+                Entry::Vacant(new) => {
+                    let letter = line[placed.byte..].chars().next().unwrap_or_default();
+                    new.insert(self.glyph(placed.glyph, letter, pen, scale)?)
+                }
             };
             let place = |p: &Point| (*p + placed.at) * scale;
             outlines.extend(glyph.iter().map(|outline| outline.iter().map(place).collect()));
@@ -86,21 +89,16 @@ impl OutlineFont {
         Ok(outlines)
     }
 
-    /// The outlines of a glyph, in font units: without holes, since GDSII has none.
-    fn glyph(&self, glyph: u32, pen: &Pen, scale: f64) -> Result<Vec<Vec<Point>>> {
+    /// The outlines of a glyph, in font units: without holes, since GDSII has none. Errors name the letter it stands for.
+    fn glyph(&self, glyph: u32, letter: char, pen: &Pen, scale: f64) -> Result<Vec<Vec<Point>>> {
         let tolerance = pen.tolerance / scale.abs();
-        let contours = Flattened::glyph(&self.font, glyph, tolerance).ok_or_else(|| self.broken(glyph))?;
+        let refused = |rule: &str| Error::custom("text", format_args!("in {letter:?} of {:?}: {rule}", self.name));
+        let contours = Flattened::glyph(&self.font, glyph, tolerance);
+        let contours = contours.ok_or_else(|| refused("its outline cannot be read"))?;
         match pen.stencil {
             None => Ok(opened::outlines(contours)),
-            Some(width) => stencil::bridged(contours, width / scale.abs()).map_err(|rule| {
-                let what = format!("in glyph {glyph} of {:?}: {rule}", self.name);
-                Error::custom("text", what)
-            }),
+            Some(width) => stencil::bridged(contours, width / scale.abs()).map_err(|rule| refused(&rule)),
         }
-    }
-
-    fn broken(&self, glyph: u32) -> Error {
-        Error::custom("text", format_args!("the outline of glyph {glyph} of {:?} cannot be read", self.name))
     }
 }
 

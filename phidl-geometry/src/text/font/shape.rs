@@ -16,6 +16,8 @@ pub(super) struct Placed {
     pub(super) glyph: u32,
     /// Where its origin is, in font units.
     pub(super) at: Point,
+    /// The byte of the line where the text that it stands for begins.
+    pub(super) byte: usize,
 }
 
 /// The glyphs of a line, with the pen starting at the origin.
@@ -30,7 +32,9 @@ pub(super) fn line(font: &Font, line: &str) -> Vec<Placed> {
         }
         for (part, script) in scripts {
             let part = run.start + part.start..run.start + part.end;
-            pen = shape(&shaper, &line[part], script, level, pen, &mut placed);
+            let first = placed.len();
+            pen = shape(&shaper, &line[part.clone()], script, level, pen, &mut placed);
+            placed[first..].iter_mut().for_each(|glyph| glyph.byte += part.start);
         }
     }
     placed
@@ -84,7 +88,8 @@ fn shape(
     harfrust::shape(shaper, &mut buffer, ShapeOptions::new()).expect("invariant: a new buffer with a direction");
     for (info, position) in buffer.glyph_infos().iter().zip(buffer.glyph_positions()) {
         let vector = |x: i32, y: i32| Point::new(x.into(), y.into());
-        placed.push(Placed { glyph: info.glyph_id, at: pen + vector(position.x_offset, position.y_offset) });
+        let at = pen + vector(position.x_offset, position.y_offset);
+        placed.push(Placed { glyph: info.glyph_id, at, byte: info.cluster as usize });
         pen += vector(position.x_advance, position.y_advance);
     }
     pen

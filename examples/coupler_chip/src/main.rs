@@ -1,0 +1,45 @@
+//! Builds the masks that are described in `masks/`, or those that are named.
+//!
+//! `cargo run -- first_light` reads `masks/first_light.json`: a generator of this program, of phidl-geometry or of
+//! phidl-route with its parameters. It writes `target/mask/first_light/`: GDSII, a picture, and what was drawn with which
+//! parameters.
+
+mod chip;
+mod coupler;
+mod layers;
+
+use std::path::{Path, PathBuf};
+use std::{env, fs};
+
+use anyhow::Context;
+use phidl_core::prelude::*;
+use phidl_io::mask::{self, MaskOptions};
+use phidl_io::svg::SvgOptions;
+
+fn main() -> anyhow::Result<()> {
+    let names: Vec<String> = env::args().skip(1).collect();
+    let files = match names.is_empty() {
+        true => described()?,
+        false => names.iter().map(|name| Path::new("masks").join(name).with_extension("json")).collect(),
+    };
+    files.iter().try_for_each(|file| build(file).with_context(|| file.display().to_string()))
+}
+
+/// All masks that are described.
+fn described() -> anyhow::Result<Vec<PathBuf>> {
+    let entries = fs::read_dir("masks").context("masks")?;
+    let mut files = entries.map(|entry| Ok(entry?.path())).collect::<std::io::Result<Vec<_>>>()?;
+    files.sort();
+    Ok(files)
+}
+
+fn build(file: &Path) -> anyhow::Result<()> {
+    let name = file.file_stem().unwrap_or_default().to_string_lossy();
+    let recipe: Recipe = serde_json::from_str(&fs::read_to_string(file)?)?;
+    let device = recipe.build()?;
+    let svg = SvgOptions { layers: layers::layer_set()?, ..SvgOptions::default() };
+    let folder = Path::new("target/mask").join(&*name);
+    let report = mask::build(&name, &device, &folder, &MaskOptions { svg, ..MaskOptions::default() }, |_| {})?;
+    println!("{name}\n{}", report.summary);
+    Ok(())
+}
