@@ -4,7 +4,7 @@ use phidl_core::Error;
 
 use crate::extrude::Strip;
 use crate::miters::REPEATED;
-use crate::{CrossSection, rule};
+use crate::{CrossSection, Path, rule};
 
 /// An edge may run back by this part of its chord: where a bend is exactly as tight as half the width, its inner edge is a
 /// point, and the chords of a fine arc, which lie within it, turn that into steps back of a hundred-thousandth.
@@ -60,15 +60,47 @@ impl Fold {
     }
 }
 
+/// The folds of strips along a path, strip by strip.
+pub(crate) fn of_strips(path: &Path, strips: &[Strip<'_>]) -> Vec<Fold> {
+    if none_between(strips) {
+        return Vec::new();
+    }
+    let lengths = path.lengths();
+    strips.iter().enumerate().flat_map(|(section, strip)| of_strip(strip, section, &lengths)).collect()
+}
+
+/// Whether strips of constant width along one line surely have no fold: an edge runs forwards if those to both sides of
+/// it do, so the two outermost are asked for all. Strips that say no may still have none.
+fn none_between(strips: &[Strip<'_>]) -> bool {
+    let Some(((mut least, mut most), miters)) = strips.first().and_then(Strip::constant) else { return false };
+    for strip in strips {
+        match strip.constant() {
+            Some(((own_least, own_most), _)) => (least, most) = (least.min(own_least), most.max(own_most)),
+            None => return false,
+        }
+    }
+    let mut worst = f64::INFINITY;
+    let ends = miters.points.windows(2).zip(miters.vectors.windows(2));
+    for (points, vectors) in ends {
+        let along = points[1] - points[0];
+        let (square, bend) = (along.dot(along), (vectors[1] - vectors[0]).dot(along));
+        let (right, left) = (square + bend * most, square + bend * least);
+        worst = if right < worst { right } else { worst };
+        worst = if left < worst { left } else { worst };
+    }
+    // Repeated points are bevels, which turn back on one side.
+    worst > 0.0
+}
+
 /// The folds of both edges of a section; `lengths` are those up to the points of the path.
-pub(crate) fn of_strip(strip: &Strip<'_>, section: usize, lengths: &[f64]) -> Vec<Fold> {
+fn of_strip(strip: &Strip<'_>, section: usize, lengths: &[f64]) -> Vec<Fold> {
     let mut folds: Vec<Fold> = Vec::new();
     for side in [Side::Right, Side::Left] {
         for station in 0..strip.miters.len() - 1 {
             if !runs_backwards(strip, side, station) {
                 continue;
             }
-            let length = |station: usize| lengths[strip.miters.sources[station]];
+            let length = |station: usize| lengths[strip.miters.source(station)];
             let (from, to) = (length(station), length(station + 1));
             match folds.last_mut() {
                 Some(fold) if fold.side == side && fold.to == from => fold.to = to,

@@ -125,7 +125,12 @@ impl Bends {
         let mut at_corners = Vec::with_capacity(legs.turns.len());
         for (turn, corner) in legs.turns.iter().zip(&points[1..]) {
             if (turn.abs() - 180.0).abs() < STRAIGHT_ON {
-                return Err(rule::refused("smooth", "points", format!("a line that doubles back at {corner}"), "go on"));
+                return Err(rule::refused(
+                    "smooth",
+                    "points",
+                    format!("a line that doubles back at {corner}"),
+                    "go on",
+                ));
             }
             let number = *by_turn.entry(turn.to_bits()).or_insert(drawn.len());
             if number == drawn.len() {

@@ -78,8 +78,7 @@ impl Arc {
     fn evenly(self, count: usize) -> Vec<Point> {
         const STRIDE: usize = 16;
         let (from, turn, last) = (-90.0, self.degrees.abs(), (count - 1) as f64);
-        let steps: Vec<(f64, f64)> =
-            (0..STRIDE.min(count)).map(|i| angle::sin_cos(turn * (i as f64 / last))).collect();
+        let steps: Vec<(f64, f64)> = (0..STRIDE.min(count)).map(|i| angle::sin_cos(turn * (i as f64 / last))).collect();
         let mut points = Vec::with_capacity(count);
         for first in (0..count).step_by(STRIDE) {
             let (sin, cos) = angle::sin_cos(from + turn * (first as f64 / last));
