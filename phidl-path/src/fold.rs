@@ -1,9 +1,11 @@
 //! [`Fold`]: where an edge of an extrusion runs backwards.
 
+use std::ops::Range;
+
 use phidl_core::Error;
 
 use crate::extrude::Strip;
-use crate::miters::REPEATED;
+use crate::miters::{Miters, REPEATED};
 use crate::{CrossSection, Path, rule};
 
 /// An edge may run back by this part of its chord: where a bend is exactly as tight as half the width, its inner edge is a
@@ -79,17 +81,32 @@ fn none_between(strips: &[Strip<'_>]) -> bool {
             None => return false,
         }
     }
+    let outermost = [least, most];
+    // Around an arc all segments are alike. Only those at its ends join something else.
+    let mut from = 0;
+    for (segments, bend) in &miters.arcs {
+        if outermost.iter().any(|aside| 1.0 + aside * bend < 0.0) || may_fold(miters, from..segments.start, outermost) {
+            return false;
+        }
+        from = segments.end;
+    }
+    !may_fold(miters, from..miters.len() - 1, outermost)
+}
+
+/// Whether one of two edges runs backwards along one of some segments.
+fn may_fold(miters: &Miters<'_>, segments: Range<usize>, outermost: [f64; 2]) -> bool {
+    let stations = segments.start..segments.end + 1;
+    let ends = miters.points[stations.clone()].windows(2).zip(miters.vectors[stations].windows(2));
     let mut worst = f64::INFINITY;
-    let ends = miters.points.windows(2).zip(miters.vectors.windows(2));
     for (points, vectors) in ends {
         let along = points[1] - points[0];
         let (square, bend) = (along.dot(along), (vectors[1] - vectors[0]).dot(along));
-        let (right, left) = (square + bend * most, square + bend * least);
-        worst = if right < worst { right } else { worst };
-        worst = if left < worst { left } else { worst };
+        let [one, other] = outermost.map(|aside| square + bend * aside);
+        worst = if one < worst { one } else { worst };
+        worst = if other < worst { other } else { worst };
     }
-    // Repeated points are bevels, which turn back on one side.
-    worst > 0.0
+    // Nothing at all is a bevel, which may turn back.
+    worst <= 0.0
 }
 
 /// The folds of both edges of a section; `lengths` are those up to the points of the path.

@@ -50,6 +50,14 @@ impl Arc {
         self.degrees
     }
 
+    pub(crate) fn radius(self) -> f64 {
+        self.radius
+    }
+
+    pub(crate) fn center(self) -> Point {
+        Point::new(0.0, self.radius * self.degrees.signum())
+    }
+
     /// The arc as the specification samples it: `num_pts` per full turn, cut off to a whole number, and at least the
     /// two ends (of which the reference leaves out one or both at small angles).
     pub(crate) fn path(self, num_pts: f64) -> Result<Path> {
