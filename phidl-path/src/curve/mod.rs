@@ -7,6 +7,8 @@
 
 mod arc;
 mod euler;
+mod even_chords;
+mod fresnel;
 mod spiral;
 mod straight;
 
@@ -43,7 +45,7 @@ impl Curve {
         match self {
             Self::Points | Self::Line => Some(Vec::new()),
             Self::Arc(arc) => arc.between_ends(tolerance),
-            Self::Euler(euler) => sampling::between_ends(euler, tolerance),
+            Self::Euler(euler) => euler.between_ends(tolerance),
             Self::Arm(arm) => sampling::between_ends(arm, tolerance),
         }
     }
