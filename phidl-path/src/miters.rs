@@ -167,14 +167,15 @@ impl Line {
     /// The miters between the ends of a stretch of any shape.
     fn extend(&mut self, points: &[Point]) {
         let (mut shortest, mut length, from) = (f64::INFINITY, 0.0, self.vectors.len());
+        self.vectors.resize(from + points.len() - 1, Point::ORIGIN);
         // The normals of the segments first, and in their places the miters.
-        self.vectors.extend(points.windows(2).map(|segment| {
+        for (vector, segment) in self.vectors[from..].iter_mut().zip(points.windows(2)) {
             let along = segment[1] - segment[0];
             let own = along.dot(along).sqrt();
             shortest = if own < shortest { own } else { shortest };
             length += own;
-            Point::new(along.y / own, -along.x / own)
-        }));
+            *vector = Point::new(along.y / own, -along.x / own);
+        }
         let (own, mut sharpest) = (&mut self.vectors[from..], f64::INFINITY);
         for i in 0..own.len() - 1 {
             let together = 1.0 + own[i].dot(own[i + 1]);
