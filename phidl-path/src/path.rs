@@ -215,9 +215,12 @@ impl Path {
     /// those of an offset path. No chord spans more than a third of a turn.
     ///
     /// ```
-    /// # use phidl_path::Path;
+    /// # use phidl_path::{EulerBend, Path};
     /// let path = Path::arc(10, 90)?.with_tolerance(0.001)?;
     /// assert_eq!(path.points().len(), 57); // instead of 180
+    /// // A bend that is drawn for this only need not have many points before.
+    /// let bend = EulerBend::new().num_pts(1).path(10, 90)?.with_tolerance(0.001)?;
+    /// assert_eq!(bend, Path::euler(10, 90)?.with_tolerance(0.001)?);
     /// # Ok::<(), phidl_core::Error>(())
     /// ```
     ///
