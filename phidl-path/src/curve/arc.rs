@@ -86,13 +86,19 @@ impl Arc {
     fn evenly(self, count: usize) -> Vec<Point> {
         const STRIDE: usize = 16;
         let (from, turn, last) = (-90.0, self.degrees.abs(), (count - 1) as f64);
-        let steps: Vec<(f64, f64)> = (0..STRIDE.min(count)).map(|i| angle::sin_cos(turn * (i as f64 / last))).collect();
-        let mut points = Vec::with_capacity(count);
+        let (radius, side) = (self.radius, self.degrees.signum());
+        let steps: [(f64, f64); STRIDE] = std::array::from_fn(|i| angle::sin_cos(turn * (i as f64 / last)));
+        let mut points = Vec::with_capacity(count.next_multiple_of(STRIDE));
+        let mut block = [Point::ORIGIN; STRIDE];
         for first in (0..count).step_by(STRIDE) {
             let (sin, cos) = angle::sin_cos(from + turn * (first as f64 / last));
-            let turned = |(s, c): &(f64, f64)| self.at(sin * c + cos * s, cos * c - sin * s);
-            points.extend(steps[..STRIDE.min(count - first)].iter().map(turned));
+            let (up, right) = (radius * sin, radius * cos);
+            for (p, (s, c)) in block.iter_mut().zip(&steps) {
+                *p = Point::new(right * c - up * s, side * (up * c + right * s + radius));
+            }
+            points.extend_from_slice(&block);
         }
+        points.truncate(count);
         let (sin, cos) = angle::sin_cos(from + turn);
         points[count - 1] = self.at(sin, cos);
         points
