@@ -25,8 +25,9 @@ const TRIES: usize = 2;
 /// Part of the tolerance that is kept back for what is neglected.
 const SLACK: f64 = 2e-3;
 
-/// σ of a number of chords is ((k − AHEAD + BEND / k) / PACE)^⅔, to four digits from the first chord on. The pace is that of chords on
-/// an arc of the curvature σ; the other two are the limit and the next term of what is found chord by chord (a test does).
+/// σ of a number of chords is ((k − AHEAD + BEND / k) / PACE)^⅔, to four digits from the first chord on. The pace is that
+/// of chords on an arc of the curvature σ; the other two are the limit and the next term of what is found chord by chord
+/// (a test does).
 const PACE: f64 = std::f64::consts::SQRT_2 / 6.0;
 const AHEAD: f64 = 0.075_73;
 const BEND: f64 = 0.006_3;
@@ -66,8 +67,8 @@ impl Chords {
     }
 
     fn of(bend: &Euler, number: usize) -> Self {
-        // The root of the tolerance with which this number comes out. That of the number of chords on the clothoid, which
-        // it takes, is found on the way: it makes no difference any more in the second round.
+        // The root of the tolerance with which this number comes out. It takes the number of chords on the clothoid, which
+        // takes the root: a second round makes no difference any more.
         let mut root = Self::work(bend) / (number as f64 - 2.0 * AHEAD);
         for _ in 0..2 {
             root = Self::work(bend) / (number as f64 - 2.0 * ahead(Self::on_clothoid(bend) / root));
