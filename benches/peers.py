@@ -126,7 +126,7 @@ def paths(_):
     from phidl import path as pp
 
     t = np.arange(10_000) * 0.01
-    points = np.column_stack((5.0 * t, 20.0 * np.sin(t)))
+    points = np.column_stack((5.0 * t, 5.0 * np.sin(t)))
 
     def extrude_phidl():
         path = Path(points)

@@ -43,7 +43,12 @@ fn bends(c: &mut Criterion) {
         b.iter(|| radii.iter().map(|r| bend.path(*r, 90)?.extrude_width(0.5, 1)).collect::<Result<Vec<_>>>());
     });
     group.bench_function("within 1 nm", |b| {
-        b.iter(|| radii.iter().map(|r| bend.path(*r, 90)?.with_tolerance(1e-3)).collect::<Result<Vec<_>>>());
+        let few = bend.num_pts(1);
+        b.iter(|| radii.iter().map(|r| few.path(*r, 90)?.with_tolerance(1e-3)).collect::<Result<Vec<_>>>());
+    });
+    group.bench_function("within 1 nm, extruded", |b| {
+        let drawn = |r: &f64| bend.num_pts(1).path(*r, 90)?.with_tolerance(1e-3)?.extrude_width(0.5, 1);
+        b.iter(|| radii.iter().map(drawn).collect::<Result<Vec<_>>>());
     });
     group.finish();
 }

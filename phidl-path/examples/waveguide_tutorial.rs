@@ -1,6 +1,7 @@
 //! PHIDL's tutorial on waveguides and paths, step by step: every function is a chapter and returns what it draws.
 //!
-//! `cargo run -p phidl-path --example waveguide_tutorial` prints what came out; nothing is written.
+//! `cargo run -p phidl-path --example waveguide_tutorial` prints what came out; nothing is written. The pictures are in
+//! `docs/waveguide_tutorial.md`, where `cargo xtask gallery --bless` draws them from [`chapters`].
 
 use std::f64::consts::PI;
 
@@ -17,12 +18,12 @@ pub(crate) fn pieces() -> Result<Path> {
 }
 
 /// What is drawn along a path: one width, a width that grows, or a cross-section, whose ends have the names of ports.
-fn extrusions(path: &Path) -> Result<Vec<Device>> {
+fn extrusions(path: &Path) -> Result<[Device; 3]> {
     let x = CrossSection::new()
         .add(Section::new(1).layer(0).ports("in", "out"))
         .add(Section::new(3).offset(2).layer(2))
         .add(Section::new(3).offset(-2).layer(2));
-    Ok(vec![path.extrude_width(1.5, 3)?, path.extrude_width((0.7, 3.7), 4)?, path.extrude(&x)?])
+    Ok([path.extrude_width(1.5, 3)?, path.extrude_width((0.7, 3.7), 4)?, path.extrude(&x)?])
 }
 
 /// Pieces that repeat, in lists and in lists of lists.
@@ -63,10 +64,10 @@ fn custom_curve() -> Result<Path> {
 }
 
 /// Fewer points: by a tolerance for the edges, or by one for the curve before it is drawn.
-fn fewer_points(path: &Path) -> Result<Vec<Device>> {
+fn fewer_points(path: &Path) -> Result<[Device; 4]> {
     let x = CrossSection::new().add(Section::new(0.5).offset(2)).add(Section::new(1.5).layer(2).ports("in", "out"));
     let coarse = |tolerance: f64| Extrusion::new(path, &x).simplify(tolerance).build();
-    Ok(vec![path.extrude(&x)?, coarse(1e-3)?, coarse(0.1)?, path.with_tolerance(1e-3)?.extrude(&x)?])
+    Ok([path.extrude(&x)?, coarse(1e-3)?, coarse(0.1)?, path.with_tolerance(1e-3)?.extrude(&x)?])
 }
 
 /// Vias in a row along a path and beside it, each turned as the path runs.
@@ -85,15 +86,17 @@ fn vias() -> Result<Device> {
     d.build()
 }
 
-/// The curvature along a path: a clothoid's rises and falls linearly, an arc's jumps.
-fn curvature() -> Result<[f64; 2]> {
-    let tightest = |bend: Path| -> Result<f64> {
-        let mut path = Path::straight(10)?;
-        path.append(bend).append(Path::straight(10)?);
+/// The curvature along a path, drawn as the width of a strip: a clothoid's rises and falls linearly, an arc's jumps.
+fn curvature() -> Result<[Device; 2]> {
+    let drawn = |bend: Path| -> Result<Device> {
+        let mut path = Path::straight(5)?;
+        path.append(bend).append(Path::straight(5)?);
         let (_, curvature) = path.curvature()?;
-        Ok(curvature.iter().fold(0.0, |most: f64, k| most.max(k.abs())))
+        // One for every point: the curvature is that of the segment before it.
+        let widths: Vec<f64> = std::iter::once(0.0).chain(curvature.iter().map(|k| 3.5 * k.abs())).collect();
+        path.extrude(&CrossSection::of_width(0.1, 1).add(Section::new(widths)))
     };
-    Ok([tightest(EulerBend::new().p(0.5).use_eff().path(3, 90)?)?, tightest(Path::arc(3, 90)?)?])
+    Ok([drawn(EulerBend::new().p(0.5).use_eff().path(3, 90)?)?, drawn(Path::arc(3, 90)?)?])
 }
 
 /// Two cross-sections, a taper from one to the other, all three joined. A copy is a copy: to change one is to change one.
@@ -120,21 +123,75 @@ fn transitions() -> Result<Device> {
 }
 
 /// Widths and offsets that are functions of the part of the length that lies behind.
-fn functions() -> Result<Vec<Device>> {
+fn functions() -> Result<[Device; 2]> {
     let wavy = CrossSection::new()
         .add(Section::new(3).offset(-6))
         .add(Section::new(|t: f64| 3.0 + (10.0 * PI * t).cos()))
         .add(Section::new(1).offset(|t: f64| 6.0 + (6.0 * PI * t).cos()).layer(1));
     let bent = Path::straight(40)?.offset(|t: f64| 2.0 + (4.0 * PI * t).cos())?;
-    Ok(vec![Path::straight(40)?.extrude(&wavy)?, bent.extrude_width(1, 2)?])
+    Ok([Path::straight(40)?.extrude(&wavy)?, bent.extrude_width(1, 2)?])
 }
 
-/// A path beside another, and its mirror image.
-fn beside(path: &Path) -> Result<[Path; 3]> {
+/// A path beside another, and its mirror image. Where the path bends more tightly than it is far away, it folds.
+fn beside(path: &Path) -> Result<Device> {
     let mut beside = path.offset(6)?;
     beside.movey(-2);
     let image = beside.clone().mirrored((0, 0), (1, 0));
-    Ok([path.clone(), beside, image])
+    let mut d = Device::builder("beside");
+    for (path, layer) in [(path, 1), (&beside, 2), (&image, 3)] {
+        d.add(path.extrude_width(1, layer)?);
+    }
+    d.build()
+}
+
+/// The wider strip of a drawing with a square at each of its points.
+fn with_points(device: &Device) -> Result<Device> {
+    let mut d = Device::builder("with_points");
+    let half = Point::new(0.08, 0.08);
+    for strip in device.polygons().skip(1) {
+        d.add_polygon(strip.points, 1)?;
+        for corner in strip.points {
+            d.add_polygon(Rect::new(*corner - half, *corner + half), 0)?;
+        }
+    }
+    d.build()
+}
+
+/// A drawing and what it is called.
+type Named = (&'static str, Device);
+
+/// The chapters: what each is called, and its drawings.
+pub(crate) fn chapters() -> Result<Vec<(&'static str, Vec<Named>)>> {
+    let path = pieces()?;
+    let strip = |path: &Path| path.extrude_width(1, 1);
+    let reduced = fewer_points(&EulerBend::new().num_pts(240).path(5, 90)?)?
+        .iter()
+        .map(with_points)
+        .collect::<Result<Vec<_>>>()?;
+    Ok(vec![
+        ("pieces", vec![("", strip(&path)?)]),
+        ("extrusions", named(["one width", "a width that grows", "a cross-section"], extrusions(&path)?)),
+        ("repetition", vec![("", strip(&repetition()?)?)]),
+        ("sharp_corners", strips(["where they are", "appended", "walked"], sharp_corners()?)?),
+        ("round_corners", strips(["Euler bends", "arcs"], round_corners()?)?),
+        ("custom_curve", vec![("", strip(&custom_curve()?)?)]),
+        ("fewer_points", named(["all", "1 nm at the edges", "0.1 µm", "1 nm on the path"], reduced)),
+        ("vias", vec![("", vias()?)]),
+        ("curvature", named(["Euler bend", "arc"], curvature()?)),
+        ("transitions", vec![("", transitions()?)]),
+        ("functions", named(["of sections", "of the path"], functions()?)),
+        ("beside", vec![("", beside(&path)?)]),
+    ])
+}
+
+fn named<const N: usize>(names: [&'static str; N], devices: impl IntoIterator<Item = Device>) -> Vec<Named> {
+    names.into_iter().zip(devices).collect()
+}
+
+/// Paths, each as a strip.
+fn strips<const N: usize>(names: [&'static str; N], paths: [Path; N]) -> Result<Vec<Named>> {
+    let strips = paths.iter().map(|path| path.extrude_width(1, 1));
+    Ok(named(names, strips.collect::<Result<Vec<_>>>()?))
 }
 
 /// Prints what was drawn.
@@ -143,21 +200,12 @@ pub(crate) fn main() -> Result<()> {
     let path = pieces()?;
     println!("the path has {} points and is {:.3} µm long", path.points().len(), path.length());
     println!("the limaçon ends at {:.3}°", custom_curve()?.end_angle());
-    let [euler, arc] = curvature()?;
-    println!("the tightest places of an Euler bend and of an arc: {euler:.3} and {arc:.3} per µm");
-
-    let mut devices = extrusions(&path)?;
-    let paths = sharp_corners()?.into_iter().chain(round_corners()?).chain(beside(&path)?).chain([repetition()?]);
-    for path in paths {
-        devices.push(path.extrude_width(1, 1)?);
-    }
-    devices.extend(fewer_points(&custom_curve()?)?);
-    devices.extend([vias()?, transitions()?]);
-    devices.extend(functions()?);
-    for device in &devices {
-        let (size, points) =
-            (device.size(), device.flat_polygons().map(|polygon| polygon.points().len()).sum::<usize>());
-        println!("{:<12} {points:5} points, {:.3} × {:.3} µm", device.name(), size.width, size.height);
+    for (chapter, drawings) in chapters()? {
+        for (name, device) in drawings {
+            let points: usize = device.flat_polygons().map(|polygon| polygon.points().len()).sum();
+            let size = device.size();
+            println!("{chapter:<14} {name:<20} {points:5} points, {:.3} × {:.3} µm", size.width, size.height);
+        }
     }
     Ok(())
 }

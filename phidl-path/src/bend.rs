@@ -16,6 +16,8 @@ const NUM_PTS: f64 = 720.0;
 pub trait Bend {
     /// The path of a radius (µm) that turns by an angle (degrees, positive to the left), from the origin heading right.
     ///
+    /// It depends on nothing else: [`Path::smooth`] asks once for all corners that turn by the same angle.
+    ///
     /// # Errors
     /// What the bend refuses.
     fn bend(&self, radius: f64, angle: f64) -> Result<Path>;

@@ -102,17 +102,8 @@ impl<'a> Extrusion<'a> {
     /// # Errors
     /// As for [`Path::extrude`].
     pub fn folds(&self) -> Result<Vec<Fold>> {
-        self.folds_along(&self.guide()?)
-    }
-
-    fn folds_along(&self, guide: &Guide<'_>) -> Result<Vec<Fold>> {
-        let lengths = self.path.lengths();
-        let mut folds = Vec::new();
-        for (place, section) in self.cross_section.sections().iter().enumerate() {
-            let strip = guide.strip(section, place)?;
-            folds.extend(fold::of_strip(&strip, place, &lengths));
-        }
-        Ok(folds)
+        let guide = self.guide()?;
+        Ok(fold::of_strips(self.path, &guide.strips(self.cross_section)?))
     }
 
     /// The device.
@@ -121,30 +112,47 @@ impl<'a> Extrusion<'a> {
     /// As for [`Path::extrude`], or if the tolerance is negative; and for folded edges, if they are
     /// [refused](Extrusion::checked).
     pub fn build(&self) -> Result<Device> {
+        self.open()?.build()
+    }
+
+    /// The device as it is before it is built: for more ports and info, or another name.
+    ///
+    /// ```
+    /// # use phidl_path::{CrossSection, Extrusion, Path};
+    /// let (path, x) = (Path::arc(10, 90)?, CrossSection::of_width(1, 3));
+    /// let mut d = Extrusion::new(&path, &x).checked().open()?;
+    /// d.rename("bend").info("radius", 10.0);
+    /// assert_eq!(d.build()?.name(), "bend");
+    /// # Ok::<(), phidl_core::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As for [`Extrusion::build`].
+    pub fn open(&self) -> Result<DeviceBuilder> {
         let guide = self.guide()?;
         if let Some(tolerance) = self.simplify {
             rule::length("extrude", "simplify", tolerance)?;
         }
+        let strips = guide.strips(self.cross_section)?;
         if self.checked
-            && let Some(fold) = self.folds_along(&guide)?.first()
+            && let Some(fold) = fold::of_strips(self.path, &strips).first()
         {
             return Err(fold.refused(self.cross_section));
         }
         let mut d = Device::builder("extrude");
         self.reserve(&mut d, guide.miters.len());
-        for (place, section) in self.cross_section.sections().iter().enumerate() {
-            let strip = guide.strip(section, place)?;
+        for (strip, section) in strips.iter().zip(self.cross_section.sections()) {
             match self.simplify {
                 Some(tolerance) => d.add_polygon(strip.simplified(tolerance), &section.layers)?,
-                None => d.add_polygon(&strip, &section.layers)?,
+                None => d.add_polygon(strip, &section.layers)?,
             };
             strip.add_ports(&mut d, section)?;
         }
         for (key, value) in self.path.info() {
             d.info(key, value.clone());
         }
-        d.info("length", self.path.length());
-        d.build()
+        d.info("length", guide.miters.length);
+        Ok(d)
     }
 
     fn reserve(&self, d: &mut DeviceBuilder, stations: usize) {
@@ -156,36 +164,41 @@ impl<'a> Extrusion<'a> {
     fn guide(&self) -> Result<Guide<'a>> {
         self.path.check_line("extrude")?;
         self.cross_section.check()?;
-        rule::positive_length("extrude", "length of the path", self.path.length())?;
+        let miters = Miters::of(self.path);
+        rule::positive_length("extrude", "length of the path", miters.length)?;
         let constant = |section: &Section| section.width.constant().is_some() && section.offset.constant().is_some();
         let needed = !self.cross_section.sections().iter().all(constant);
         let fractions = if needed { self.path.fractions() } else { Vec::new() };
-        Ok(Guide { path: self.path, miters: Miters::of(self.path), fractions })
+        Ok(Guide { path: self.path, miters, fractions })
     }
 }
 
 /// What all sections of a cross-section are measured from.
 struct Guide<'a> {
     path: &'a Path,
-    miters: Miters,
+    miters: Miters<'a>,
     /// The part of the length behind each point of the path; empty if no section changes along the way.
     fractions: Vec<f64>,
 }
 
 impl Guide<'_> {
+    fn strips(&self, cross_section: &CrossSection) -> Result<Vec<Strip<'_>>> {
+        let sections = cross_section.sections().iter().enumerate();
+        sections.map(|(place, section)| self.strip(section, place)).collect()
+    }
+
     fn strip(&self, section: &Section, place: usize) -> Result<Strip<'_>> {
-        let title = section.title(place);
         let (miters, offset, angles) = match section.offset.constant() {
             Some(offset) => (Cow::Borrowed(&self.miters), offset, self.path.raw_angles()),
             None => {
                 let (path, sources) = self.path.offset_with_sources(&section.offset)?;
-                let miters = Miters::of(&path).of_sources(&sources);
+                let miters = Miters::of(&path).of_sources(sources).into_owned();
                 (Cow::Owned(miters), 0.0, path.raw_angles())
             }
         };
         let widths = match section.width.constant() {
             Some(width) => Widths::Same(width),
-            None => Widths::Each(miters.pick(&section.widths(&title, &self.fractions)?)),
+            None => Widths::Each(miters.pick(section.widths(&section.title(place), &self.fractions)?)),
         };
         Ok(Strip { miters, offset, widths, angles })
     }
@@ -199,7 +212,7 @@ enum Widths {
 
 /// A section along a path, before it is drawn.
 pub(crate) struct Strip<'a> {
-    pub(crate) miters: Cow<'a, Miters>,
+    pub(crate) miters: Cow<'a, Miters<'a>>,
     offset: f64,
     widths: Widths,
     /// Directions of the path at the ends (degrees).
@@ -220,29 +233,26 @@ impl Strip<'_> {
         self.offset + side.sign() * self.width(station) / 2.0
     }
 
-    /// The right edge forwards and the left edge backwards, with fewer points.
-    fn simplified(&self, tolerance: f64) -> Vec<Point> {
-        let mut edge = Vec::new();
-        self.append_edge(Side::Right, &mut edge);
-        let mut outline = simplified(&edge, tolerance);
-        edge.clear();
-        self.append_edge(Side::Left, &mut edge);
-        outline.extend(simplified(&edge, tolerance).into_iter().rev());
-        outline
+    /// How far to the right its edges are, the left one first, and of which line; if it is equally wide everywhere.
+    pub(crate) fn constant(&self) -> Option<((f64, f64), &Miters<'_>)> {
+        match (&self.widths, &self.miters) {
+            (Widths::Same(_), Cow::Borrowed(miters)) => {
+                Some(((self.distance(Side::Left, 0), self.distance(Side::Right, 0)), miters))
+            }
+            _ => None,
+        }
     }
 
-    fn append_edge(&self, side: Side, buffer: &mut Vec<Point>) {
-        let stations = self.miters.points.iter().zip(&self.miters.vectors);
-        match &self.widths {
-            Widths::Same(_) => {
-                let distance = self.distance(side, 0);
-                buffer.extend(stations.map(|(p, right)| *p + *right * distance));
-            }
-            Widths::Each(widths) => {
-                let half = side.sign() / 2.0;
-                buffer.extend(stations.zip(widths).map(|((p, right), w)| *p + *right * (self.offset + half * w)));
-            }
-        }
+    /// The right edge forwards and the left edge backwards, with fewer points.
+    fn simplified(&self, tolerance: f64) -> Vec<Point> {
+        let mut edges = Vec::with_capacity(2 * self.miters.len());
+        self.append_to(&mut edges);
+        let (right, left) = edges.split_at_mut(self.miters.len());
+        // Which points go depends on the direction in which an edge is gone through.
+        left.reverse();
+        let mut outline = simplified(right, tolerance);
+        outline.extend(simplified(left, tolerance).into_iter().rev());
+        outline
     }
 
     /// The ports at the ends. They take their places from the path and not from the edges: a port is exactly as wide as
@@ -261,11 +271,24 @@ impl Strip<'_> {
 }
 
 impl Outline for &Strip<'_> {
+    /// The right edge forwards, then the left edge backwards.
     fn append_to(self, buffer: &mut Vec<Point>) {
-        self.append_edge(Side::Right, buffer);
-        let middle = buffer.len();
-        self.append_edge(Side::Left, buffer);
-        buffer[middle..].reverse();
+        let stations = || self.miters.points.iter().zip(&self.miters.vectors);
+        match &self.widths {
+            Widths::Same(_) => {
+                let (right, left) = (self.distance(Side::Right, 0), self.distance(Side::Left, 0));
+                buffer.extend(stations().map(|(p, miter)| *p + *miter * right));
+                buffer.extend(stations().rev().map(|(p, miter)| *p + *miter * left));
+            }
+            Widths::Each(widths) => {
+                let at = |side: Side| {
+                    let half = side.sign() / 2.0;
+                    move |((p, miter), w): ((&Point, &Point), &f64)| *p + *miter * (self.offset + half * w)
+                };
+                buffer.extend(stations().zip(widths).map(at(Side::Right)));
+                buffer.extend(stations().zip(widths).rev().map(at(Side::Left)));
+            }
+        }
     }
 }
 

@@ -1,10 +1,12 @@
 //! [`Fold`]: where an edge of an extrusion runs backwards.
 
+use std::ops::Range;
+
 use phidl_core::Error;
 
 use crate::extrude::Strip;
-use crate::miters::REPEATED;
-use crate::{CrossSection, rule};
+use crate::miters::{Miters, REPEATED};
+use crate::{CrossSection, Path, rule};
 
 /// An edge may run back by this part of its chord: where a bend is exactly as tight as half the width, its inner edge is a
 /// point, and the chords of a fine arc, which lie within it, turn that into steps back of a hundred-thousandth.
@@ -60,15 +62,62 @@ impl Fold {
     }
 }
 
+/// The folds of strips along a path, strip by strip.
+pub(crate) fn of_strips(path: &Path, strips: &[Strip<'_>]) -> Vec<Fold> {
+    if none_between(strips) {
+        return Vec::new();
+    }
+    let lengths = path.lengths();
+    strips.iter().enumerate().flat_map(|(section, strip)| of_strip(strip, section, &lengths)).collect()
+}
+
+/// Whether strips of constant width along one line surely have no fold: an edge runs forwards if those to both sides of
+/// it do, so the two outermost are asked for all. Strips that say no may still have none.
+fn none_between(strips: &[Strip<'_>]) -> bool {
+    let Some(((mut least, mut most), miters)) = strips.first().and_then(Strip::constant) else { return false };
+    for strip in strips {
+        match strip.constant() {
+            Some(((own_least, own_most), _)) => (least, most) = (least.min(own_least), most.max(own_most)),
+            None => return false,
+        }
+    }
+    let outermost = [least, most];
+    // Around an arc all segments are alike. Only those at its ends join something else.
+    let mut from = 0;
+    for (segments, bend) in &miters.arcs {
+        if outermost.iter().any(|aside| 1.0 + aside * bend < 0.0) || may_fold(miters, from..segments.start, outermost) {
+            return false;
+        }
+        from = segments.end;
+    }
+    !may_fold(miters, from..miters.len() - 1, outermost)
+}
+
+/// Whether one of two edges runs backwards along one of some segments.
+fn may_fold(miters: &Miters<'_>, segments: Range<usize>, outermost: [f64; 2]) -> bool {
+    let stations = segments.start..segments.end + 1;
+    let ends = miters.points[stations.clone()].windows(2).zip(miters.vectors[stations].windows(2));
+    let mut worst = f64::INFINITY;
+    for (points, vectors) in ends {
+        let along = points[1] - points[0];
+        let (square, bend) = (along.dot(along), (vectors[1] - vectors[0]).dot(along));
+        let [one, other] = outermost.map(|aside| square + bend * aside);
+        worst = if one < worst { one } else { worst };
+        worst = if other < worst { other } else { worst };
+    }
+    // Nothing at all is a bevel, which may turn back.
+    worst <= 0.0
+}
+
 /// The folds of both edges of a section; `lengths` are those up to the points of the path.
-pub(crate) fn of_strip(strip: &Strip<'_>, section: usize, lengths: &[f64]) -> Vec<Fold> {
+fn of_strip(strip: &Strip<'_>, section: usize, lengths: &[f64]) -> Vec<Fold> {
     let mut folds: Vec<Fold> = Vec::new();
     for side in [Side::Right, Side::Left] {
         for station in 0..strip.miters.len() - 1 {
             if !runs_backwards(strip, side, station) {
                 continue;
             }
-            let length = |station: usize| lengths[strip.miters.sources[station]];
+            let length = |station: usize| lengths[strip.miters.source(station)];
             let (from, to) = (length(station), length(station + 1));
             match folds.last_mut() {
                 Some(fold) if fold.side == side && fold.to == from => fold.to = to,

@@ -64,3 +64,7 @@ pub use transition::{WidthChange, transition};
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
+
+#[cfg(doctest)]
+#[doc = include_str!("../docs/waveguide_tutorial.md")]
+struct Tutorial;

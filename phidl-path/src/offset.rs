@@ -44,7 +44,7 @@ impl Path {
         let miters = Miters::of(self);
         let distances = match offset.constant() {
             Some(distance) => vec![distance; miters.len()],
-            None => miters.pick(&offset.sampled("path", "offset", &self.fractions())?),
+            None => miters.pick(offset.sampled("path", "offset", &self.fractions())?),
         };
         let sides = miters.points.iter().zip(&miters.vectors).zip(&distances);
         let points: Vec<Point> = sides.map(|((p, miter), distance)| *p + *miter * *distance).collect();
@@ -54,7 +54,7 @@ impl Path {
         for (key, value) in self.info() {
             path.set_info(key, value.clone());
         }
-        Ok((path, miters.sources))
+        Ok((path, miters.sources()))
     }
 
     /// The directions of the ends of an offset path: turned by the slope of the offset.

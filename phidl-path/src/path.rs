@@ -189,20 +189,24 @@ impl Path {
     /// Its length: the sum over all segments (µm).
     #[must_use]
     pub fn length(&self) -> f64 {
-        self.points.windows(2).map(|segment| segment[0].distance(segment[1])).sum()
+        self.stretches().map(|(part, points)| part.length(points)).sum()
+    }
+
+    /// Its parts, each with its points; both ends of a part are its own.
+    pub(crate) fn stretches(&self) -> impl Iterator<Item = (&Part, &[Point])> {
+        let mut from = 0;
+        self.parts.iter().map(move |part| (part, &self.points[std::mem::replace(&mut from, part.end)..=part.end]))
     }
 
     /// The stretches of which it was made (bends and straights, say), each where it is.
     #[must_use]
     pub fn pieces(&self) -> Vec<Self> {
-        let mut from = 0;
-        let piece = |part: &Part| {
-            let points = self.points[from..=part.end].to_vec();
-            let (start, end) = part.directions(&points);
-            let part = Part { end: part.end - std::mem::replace(&mut from, part.end), ..part.clone() };
-            Self::from_curve(points, vec![part], start, end)
+        let piece = |(part, points): (&Part, &[Point])| {
+            let (start, end) = part.directions(points);
+            let part = Part { end: points.len() - 1, ..part.clone() };
+            Self::from_curve(points.to_vec(), vec![part], start, end)
         };
-        self.parts.iter().map(piece).collect()
+        self.stretches().map(piece).collect()
     }
 
     /// The same path with the fewest points that keep every chord within `tolerance` (µm) of its curve.
@@ -211,9 +215,12 @@ impl Path {
     /// those of an offset path. No chord spans more than a third of a turn.
     ///
     /// ```
-    /// # use phidl_path::Path;
+    /// # use phidl_path::{EulerBend, Path};
     /// let path = Path::arc(10, 90)?.with_tolerance(0.001)?;
     /// assert_eq!(path.points().len(), 57); // instead of 180
+    /// // A bend that is drawn for this only need not have many points before.
+    /// let bend = EulerBend::new().num_pts(1).path(10, 90)?.with_tolerance(0.001)?;
+    /// assert_eq!(bend, Path::euler(10, 90)?.with_tolerance(0.001)?);
     /// # Ok::<(), phidl_core::Error>(())
     /// ```
     ///
@@ -228,16 +235,14 @@ impl Path {
             return Err(rule::refused("with_tolerance", "tolerance", format!("{tolerance} µm"), rule));
         }
         let mut path = Self { points: vec![self.start()], parts: Vec::new(), ..self.clone() };
-        let mut from = 0;
-        for part in &self.parts {
-            let between = part.between_ends(&self.points[from + 1..part.end], tolerance).ok_or_else(|| {
+        for (part, points) in self.stretches() {
+            let between = part.between_ends(&points[1..points.len() - 1], tolerance).ok_or_else(|| {
                 let rule = format!("be enough for at most {MOST_CHORDS} chords on a piece");
                 rule::refused("with_tolerance", "tolerance", format!("{tolerance} µm"), rule)
             })?;
             path.points.extend(between);
             path.points.push(self.points[part.end]);
             path.parts.push(Part { end: path.points.len() - 1, ..part.clone() });
-            from = part.end;
         }
         Ok(path)
     }

@@ -250,13 +250,13 @@ fn root(f: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
     use crate::curve::{Arm, Euler};
     use crate::{Path, Spiral};
 
     /// The farthest that any of many points of the curve is from its chord.
-    fn worst(curve: &impl Turning, knots: &[f64]) -> f64 {
+    pub(crate) fn worst(curve: &impl Turning, knots: &[f64]) -> f64 {
         let mut worst: f64 = 0.0;
         for knots in knots.windows(2) {
             let (start, end) = (curve.at(knots[0]), curve.at(knots[1]));
@@ -270,7 +270,7 @@ mod tests {
     }
 
     /// The fewest chords by brute force: every chord reaches as far along a dense row of points as it may.
-    fn fewest(curve: &impl Turning, tolerance: f64) -> usize {
+    pub(crate) fn fewest(curve: &impl Turning, tolerance: f64) -> usize {
         let rows = 8_000;
         let at = |i: usize| curve.span() * i as f64 / rows as f64;
         let (mut chords, mut from) = (0, 0);

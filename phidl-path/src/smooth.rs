@@ -1,9 +1,10 @@
 //! Waypoints with bends at their corners.
 
+use std::collections::BTreeMap;
+
 use phidl_core::Result;
 use phidl_core::geom::{Outline, Point, Transform};
 use phidl_core::num::angle;
-use phidl_core::place::Place as _;
 
 use crate::bend::{self, Bend};
 use crate::curve::{Curve, Part};
@@ -44,10 +45,10 @@ impl Path {
         if points.len() < 2 {
             return Err(rule::refused("smooth", "points", "one and the same", "be at least two different points"));
         }
-        let points = corners_only(points);
+        let (points, legs) = corners_only(points);
         match points.len() {
             2 => Self::from_points(points),
-            _ => smoothed(&points, radius.into(), &bend),
+            _ => smoothed(&points, &legs, radius.into(), &bend),
         }
     }
 
@@ -90,29 +91,104 @@ impl Legs {
     }
 }
 
-/// The waypoints without those that lie on a straight line between their neighbors.
-fn corners_only(points: Vec<Point>) -> Vec<Point> {
-    let turns = Legs::of(&points).turns;
+/// The waypoints without those that lie on a straight line between their neighbors, and the legs between them.
+fn corners_only(points: Vec<Point>) -> (Vec<Point>, Legs) {
+    let legs = Legs::of(&points);
+    if legs.turns.iter().all(|turn| turn.abs() >= STRAIGHT_ON) {
+        return (points, legs);
+    }
     let last = points.len() - 1;
-    let is_corner = |i: usize| i == 0 || i == last || turns[i - 1].abs() >= STRAIGHT_ON;
-    points.iter().enumerate().filter(|(i, _)| is_corner(*i)).map(|(_, p)| *p).collect()
+    let is_corner = |i: usize| i == 0 || i == last || legs.turns[i - 1].abs() >= STRAIGHT_ON;
+    let corners: Vec<Point> = points.iter().enumerate().filter(|(i, _)| is_corner(*i)).map(|(_, p)| *p).collect();
+    let legs = Legs::of(&corners);
+    (corners, legs)
 }
 
-fn smoothed(points: &[Point], radius: f64, bend: &impl Bend) -> Result<Path> {
-    let legs = Legs::of(points);
-    let mut bends = Vec::with_capacity(legs.turns.len());
-    let mut setbacks = vec![0.0];
-    for (turn, corner) in legs.turns.iter().zip(&points[1..]) {
-        if (turn.abs() - 180.0).abs() < STRAIGHT_ON {
-            return Err(rule::refused("smooth", "points", format!("a line that doubles back at {corner}"), "go on"));
+fn smoothed(points: &[Point], legs: &Legs, radius: f64, bend: &impl Bend) -> Result<Path> {
+    let bends = Bends::of(points, legs, radius, bend)?;
+    bends.check_room(points, legs)?;
+    Ok(bends.assembled(points, legs))
+}
+
+/// The bends at the corners of a line. Corners that turn alike, to the last bit, share one.
+struct Bends {
+    /// The bends that there are, each with how far before its corner it starts (µm).
+    drawn: Vec<(Path, f64)>,
+    /// Which of them each corner has.
+    at_corners: Vec<usize>,
+}
+
+impl Bends {
+    fn of(points: &[Point], legs: &Legs, radius: f64, bend: &impl Bend) -> Result<Self> {
+        let mut drawn = Vec::new();
+        let mut by_turn: BTreeMap<u64, usize> = BTreeMap::new();
+        let mut at_corners = Vec::with_capacity(legs.turns.len());
+        for (turn, corner) in legs.turns.iter().zip(&points[1..]) {
+            if (turn.abs() - 180.0).abs() < STRAIGHT_ON {
+                return Err(rule::refused(
+                    "smooth",
+                    "points",
+                    format!("a line that doubles back at {corner}"),
+                    "go on",
+                ));
+            }
+            let number = *by_turn.entry(turn.to_bits()).or_insert(drawn.len());
+            if number == drawn.len() {
+                let path = bend::checked(bend, radius, *turn)?;
+                let setback = setback(&path, *turn);
+                drawn.push((path, setback));
+            }
+            at_corners.push(number);
         }
-        let bend = bend::checked(bend, radius, *turn)?;
-        setbacks.push(setback(&bend, *turn));
-        bends.push(bend);
+        Ok(Self { drawn, at_corners })
     }
-    setbacks.push(0.0);
-    check_room(points, &legs.lengths, &setbacks)?;
-    Ok(assembled(points, &legs, &bends, &setbacks))
+
+    /// Refuses legs that are shorter than what the bends at both ends take of them.
+    fn check_room(&self, points: &[Point], legs: &Legs) -> Result<()> {
+        let taken = |corner: Option<&usize>| corner.map_or(0.0, |number| self.drawn[*number].1);
+        for (i, length) in legs.lengths.iter().enumerate() {
+            let before = i.checked_sub(1).and_then(|before| self.at_corners.get(before));
+            let needed = taken(before) + taken(self.at_corners.get(i));
+            if needed > length + ROOM {
+                let leg = format!("leg from {} to {}", points[i], points[i + 1]);
+                let rule = format!("be at least {needed} µm, to have room for its bends");
+                return Err(rule::refused("smooth", &leg, format!("{length} µm"), rule));
+            }
+        }
+        Ok(())
+    }
+
+    /// The first waypoint, all bends at their places, and the last waypoint, as one path.
+    fn assembled(&self, points: &[Point], legs: &Legs) -> Path {
+        let bends = || self.at_corners.iter().map(|number| &self.drawn[*number]);
+        let mut line = Vec::with_capacity(2 + bends().map(|(bend, _)| bend.points().len()).sum::<usize>());
+        let mut parts = Vec::with_capacity(1 + bends().map(|(bend, _)| 1 + bend.parts().len()).sum::<usize>());
+        line.push(points[0]);
+        for (i, (bend, setback)) in bends().enumerate() {
+            let start = points[i + 1] - legs.along[i] * *setback;
+            let place = Transform { origin: start, ..Transform::rotation(legs.directions[i]) };
+            let matrix = place.matrix();
+            parts.push(Part { curve: Curve::Line, place, end: line.len() });
+            parts.extend(bend.parts().iter().map(|part| part.moved(line.len(), &place)));
+            line.extend(bend.points().iter().map(|p| matrix.apply(*p)));
+        }
+        let last = legs.directions.len() - 1;
+        parts.push(Part { curve: Curve::Line, place: Transform::rotation(legs.directions[last]), end: line.len() });
+        line.push(points[points.len() - 1]);
+        let (start, end) = end_directions(&line, legs);
+        Path::from_curve(line, parts, start, end)
+    }
+}
+
+/// The directions of both ends. They come about in this way in the reference, to the last bit: as those of a piece that is
+/// appended to a blank path, which was turned into the direction of the first leg.
+fn end_directions(line: &[Point], legs: &Legs) -> (f64, f64) {
+    let (n, last) = (line.len(), legs.directions.len() - 1);
+    let first_leg = legs.directions[0];
+    let blank = if first_leg == 0.0 { 0.0 } else { direction::within_turn(first_leg) };
+    let start = leg_direction(line[0], line[1], first_leg);
+    let end = leg_direction(line[n - 2], line[n - 1], legs.directions[last]);
+    (angle::normalized(blank), angle::normalized(direction::within_turn(end + blank - start)))
 }
 
 /// How far before its corner a bend starts (µm).
@@ -120,42 +196,6 @@ fn setback(bend: &Path, turn: f64) -> f64 {
     let chord = bend.start().distance(bend.end());
     let radius = (chord / 2.0 / (turn / 2.0).to_radians().sin()).abs();
     (radius / ((180.0 - turn) / 2.0).to_radians().tan()).abs()
-}
-
-fn check_room(points: &[Point], lengths: &[f64], setbacks: &[f64]) -> Result<()> {
-    for (i, length) in lengths.iter().enumerate() {
-        let needed = setbacks[i] + setbacks[i + 1];
-        if needed > length + ROOM {
-            let leg = format!("leg from {} to {}", points[i], points[i + 1]);
-            let rule = format!("be at least {needed} µm, to have room for its bends");
-            return Err(rule::refused("smooth", &leg, format!("{length} µm"), rule));
-        }
-    }
-    Ok(())
-}
-
-/// The first waypoint, all bends at their places, and the last waypoint, as one path.
-fn assembled(points: &[Point], legs: &Legs, bends: &[Path], setbacks: &[f64]) -> Path {
-    let mut line = vec![points[0]];
-    let mut parts = Vec::new();
-    for (i, bend) in bends.iter().enumerate() {
-        let start = points[i + 1] - legs.along[i] * setbacks[i + 1];
-        let place = Transform { origin: start, ..Transform::rotation(legs.directions[i]) };
-        let matrix = place.matrix();
-        parts.push(Part { curve: Curve::Line, place, end: line.len() });
-        parts.extend(bend.parts().iter().map(|part| part.moved(line.len(), &place)));
-        line.extend(bend.points().iter().map(|p| matrix.apply(*p)));
-    }
-    let last = legs.directions.len() - 1;
-    parts.push(Part { curve: Curve::Line, place: Transform::rotation(legs.directions[last]), end: line.len() });
-    line.push(points[points.len() - 1]);
-    let start = leg_direction(line[0], line[1], legs.directions[0]);
-    let end = leg_direction(line[line.len() - 2], line[line.len() - 1], legs.directions[last]);
-    let line = Path::from_curve(line, parts, start, end);
-    // The directions of the ends come about in this way in the reference, to the last bit.
-    let mut path = Path::new();
-    path.rotate(legs.directions[0]).append(&line).move_to((0, 0), points[0]);
-    path
 }
 
 /// The direction of the first or last leg as it is left between the bends; where a bend takes it up whole, nothing is

@@ -1,6 +1,7 @@
 //! PHIDL's tutorial on routing, step by step: every function is a chapter and returns what it draws.
 //!
-//! `cargo run -p phidl-route --example routing_tutorial` prints what came out; nothing is written.
+//! `cargo run -p phidl-route --example routing_tutorial` prints what came out; nothing is written. The pictures are in
+//! `docs/routing_tutorial.md`, where `cargo xtask gallery --bless` draws them from [`chapters`].
 
 use phidl_core::prelude::*;
 use phidl_path::{CrossSection, EulerBend, Section};
@@ -41,25 +42,22 @@ fn corner() -> [Port; 2] {
 }
 
 /// The way is found; bends or sharp corners are a matter of taste.
-fn automatic() -> Result<Vec<Device>> {
+fn automatic() -> Result<[Device; 2]> {
     let [a, b] = corner();
     let smooth = route_smooth(&a, &b, 10, None, PathType::Manhattan, 2)?;
     let sharp = route_sharp(&a, &b, None, PathType::Manhattan, 2)?;
-    Ok(vec![smooth, sharp])
+    Ok([smooth, sharp])
 }
 
 /// The four ways to say how wide: as the ports are, a number, from one to another, and a cross-section.
-fn widths() -> Result<Vec<Device>> {
+fn widths() -> Result<[Device; 4]> {
     let [a, b] = corner();
     let strips = CrossSection::new()
         .add(Section::new(1).layer(4).ports("1", "2"))
         .add(Section::new(2.5).offset(3).layer(5))
         .add(Section::new(2.5).offset(-3).layer(5));
     let route = || RouteSmoothParams::new(&a, &b).radius(10);
-    vec![route(), route().width(2), route().width((7, 1.5)), route().width(strips)]
-        .into_iter()
-        .map(|route| route.build())
-        .collect()
+    Ok([route().build()?, route().width(2).build()?, route().width((7, 1.5)).build()?, route().width(strips).build()?])
 }
 
 /// What a route does, by hand: way points, bends, width.
@@ -79,7 +77,7 @@ fn coarse_arcs() -> Result<Device> {
 
 /// Around an obstacle: a J with a longer first leg, a C to the other side, or way points by hand, which begin and end on
 /// the ports.
-fn around_an_obstacle() -> Result<Vec<Device>> {
+fn around_an_obstacle() -> Result<[Device; 3]> {
     let [a, b] = corner();
     let j = RouteSmoothParams::new(&a, &b).radius(10).path_type(PathType::J).length1(60).length2(20).build()?;
     let facing = Port::new((40, -5), 5, 0);
@@ -88,11 +86,11 @@ fn around_an_obstacle() -> Result<Vec<Device>> {
     let (x, y) = (b.x(), b.y());
     let points = [a.midpoint(), (20.0, 0.0).into(), (20.0, -60.0).into(), (x, -60.0).into(), (x, y).into()];
     let manual = RouteSmoothParams::new(&a, &b).radius(10).path_type(PathType::Manual).manual_path(points.to_vec());
-    Ok(vec![j, c, manual.build()?])
+    Ok([j, c, manual.build()?])
 }
 
 /// One of each kind of way.
-fn path_types() -> Result<Vec<Device>> {
+fn path_types() -> Result<Device> {
     let smooth = |a: (i32, i32, i32, i32), b: (i32, i32, i32, i32), path_type| {
         let port = |p: (i32, i32, i32, i32)| Port::new((p.0, p.1), p.2, p.3);
         RouteSmoothParams::new(port(a), port(b)).path_type(path_type)
@@ -110,7 +108,11 @@ fn path_types() -> Result<Vec<Device>> {
         smooth((200, 50, 5, 284), (230, 50, 5, 256), PathType::V),
         smooth((280, 0, 4, 190), (250, 50, 3, -10), PathType::Z).length1(30).length2(40),
     ];
-    routes.into_iter().map(|route| route.build()).collect()
+    let mut d = Device::builder("path_types");
+    for route in routes {
+        d.add(route.build()?);
+    }
+    d.build()
 }
 
 /// Ports in all placements to one that looks up: the ways that a manhattan route finds.
@@ -140,18 +142,37 @@ fn fan_out() -> Result<Device> {
     d.build()
 }
 
+/// A drawing and what it is called.
+type Named = (&'static str, Device);
+
+/// The chapters: what each is called, and its drawings.
+pub(crate) fn chapters() -> Result<Vec<(&'static str, Vec<Named>)>> {
+    Ok(vec![
+        ("quadrilateral", vec![("", quadrilateral()?)]),
+        ("automatic", named(["route_smooth", "route_sharp"], automatic()?)),
+        ("widths", named(["of the ports", "a number", "from one to another", "a cross-section"], widths()?)),
+        ("by_hand", named(["by hand", "route_smooth"], by_hand()?)),
+        ("coarse_arcs", vec![("", coarse_arcs()?)]),
+        ("around_an_obstacle", named(["J", "C", "way points by hand"], around_an_obstacle()?)),
+        ("path_types", vec![("", path_types()?)]),
+        ("sweep", vec![("", sweep()?)]),
+        ("fan_out", vec![("", fan_out()?)]),
+    ])
+}
+
+fn named<const N: usize>(names: [&'static str; N], devices: [Device; N]) -> Vec<Named> {
+    names.into_iter().zip(devices).collect()
+}
+
 /// Prints what was drawn.
 #[expect(clippy::print_stdout, reason = "an example shows what it did")]
 pub(crate) fn main() -> Result<()> {
-    let mut devices = vec![quadrilateral()?];
-    for chapter in [automatic()?, widths()?, by_hand()?.to_vec(), around_an_obstacle()?, path_types()?] {
-        devices.extend(chapter);
-    }
-    devices.extend([coarse_arcs()?, sweep()?, fan_out()?]);
-    for device in &devices {
-        let size = device.size();
-        let length = device.info().get("length").and_then(Value::as_f64).unwrap_or_default();
-        println!("{:<14} {length:8.3} µm long, {:.3} × {:.3} µm", device.name(), size.width, size.height);
+    for (chapter, drawings) in chapters()? {
+        for (name, device) in drawings {
+            let size = device.size();
+            let length = device.info().get("length").and_then(Value::as_f64).unwrap_or_default();
+            println!("{chapter:<20} {name:<20} {length:8.3} µm long, {:.3} × {:.3} µm", size.width, size.height);
+        }
     }
     Ok(())
 }

@@ -7,7 +7,7 @@ use phidl_core::Result;
 use phidl_core::layer::Layers;
 use phidl_core::port::Port;
 use phidl_core::scene::DeviceBuilder;
-use phidl_path::{CrossSection, Path, Section};
+use phidl_path::{CrossSection, Extrusion, Path, Section};
 
 use crate::request::{Request, refused};
 use crate::width::RouteWidth;
@@ -57,12 +57,12 @@ impl Drawing<'_> {
 
     /// The route, unless one of its edges folds back.
     fn extruded(&self, x: &CrossSection, request: &Request<'_>) -> Result<DeviceBuilder> {
+        let drawing = Extrusion::new(self.path, x);
         let drawn = match self.finer {
-            None => self.path.extrude_checked(x),
-            Some(finer) => finer.extrude_checked(x).and_then(|_| self.path.extrude(x)),
+            None => drawing.checked().open(),
+            Some(finer) => Extrusion::new(finer, x).checked().open().and_then(|_| drawing.open()),
         };
-        let drawn = drawn.map_err(|error| error.within(format!("{} {}", self.what, request.between())))?;
-        let mut d = drawn.edit();
+        let mut d = drawn.map_err(|error| error.within(format!("{} {}", self.what, request.between())))?;
         d.rename(self.what);
         d.info("bends", self.bends).info("smallest_radius", self.smallest_radius);
         Ok(d)

@@ -83,6 +83,13 @@ impl Point {
     }
 }
 
+/// Whether all coordinates of many points are finite numbers: eight points at a time, without a decision at each.
+pub(crate) fn all_finite(points: &[Point]) -> bool {
+    // Zero times what is not finite is no number, and stays none in a sum.
+    let sum = |points: &[Point]| points.iter().fold(Point::ORIGIN, |sum, p| sum + *p * 0.0);
+    points.chunks(8).all(|points| sum(points).is_finite())
+}
+
 impl std::fmt::Display for Point {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "({}, {})", self.x, self.y)
@@ -217,6 +224,19 @@ impl From<&Size> for Size {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn one_coordinate_that_is_not_finite_is_found_among_many() {
+        for n in [1, 7, 8, 9, 100] {
+            let sound: Vec<Point> = (0..n).map(|i| Point::new(f64::from(i) * 1e300, -f64::MAX)).collect();
+            assert!(all_finite(&sound));
+            for (i, bad) in (0..sound.len()).zip([f64::NAN, f64::INFINITY, -f64::INFINITY].into_iter().cycle()) {
+                let (mut in_x, mut in_y) = (sound.clone(), sound.clone());
+                (in_x[i].x, in_y[i].y) = (bad, bad);
+                assert!(!all_finite(&in_x) && !all_finite(&in_y), "{i} of {n}");
+            }
+        }
+    }
 
     #[test]
     fn polar_points_lie_exactly_on_the_axes() {

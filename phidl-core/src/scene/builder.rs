@@ -10,7 +10,7 @@ use super::{
     Cell, Device, Element, Group, Key, Label, LabelKey, Polygon, PolygonKey, PolygonView, Reference, ReferenceKey,
 };
 use crate::error::{Error, Noun, Result};
-use crate::geom::{Outline, Point, Rect, Transform};
+use crate::geom::{Outline, Point, Rect, Transform, all_finite};
 use crate::layer::{Layer, Layers};
 use crate::param::Value;
 use crate::place::{Bounded, PlaceFault, Transformable};
@@ -113,7 +113,7 @@ impl DeviceBuilder {
         // Checked on the drawn points, so that the usual case costs neither a buffer of its own nor a second pass.
         let first = layers.as_slice().first().copied().unwrap_or_default();
         let points = self.cell.outlines.push(outline, first);
-        let sound = points.len() >= 3 && points.iter().all(|p| p.is_finite());
+        let sound = points.len() >= 3 && all_finite(points);
         if !sound {
             let error = bad_outline(&self.cell.name, points);
             self.cell.outlines.pop();
@@ -367,7 +367,9 @@ impl DeviceBuilder {
         self.cell.labels.iter().try_for_each(|label| check_label(label, name))?;
         self.cell.ports.values().try_for_each(|port| port.check(name))?;
         // Only an overflow can bring a coordinate in here that is not finite; moves are checked where they are made.
-        match self.cell.outlines.all_points().iter().find(|p| !p.is_finite()) {
+        let points = self.cell.outlines.all_points();
+        let bad = if all_finite(points) { None } else { points.iter().find(|p| !p.is_finite()) };
+        match bad {
             None => Ok(()),
             Some(p) => Err(Error::NotFinite {
                 device: name.into(),

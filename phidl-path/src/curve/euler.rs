@@ -2,25 +2,20 @@
 //!
 //! F. Vogelbacher, S. Nevlacsil, M. Sagmeister, J. Kraft, K. Unterrainer, R. Hainberger, "Analysis of silicon nitride
 //! partial Euler waveguide bends", Optics Express 27, 31394 (2019).
-//!
-//! The Fresnel integrals are summed until nothing is added any more. The reference stops after eight terms and so misses
-//! the end of a full turn by 3e-7 of the radius. A rational approximation would be faster still, but right to nine
-//! digits only.
-
-use std::f64::consts::SQRT_2;
 
 use phidl_core::Result;
 use phidl_core::geom::{Matrix, Point, Transform};
 use phidl_core::num::{angle, count};
 
-use super::{Curve, Part, arc};
-use crate::sampling::Turning;
+use super::fresnel::Clothoid;
+use super::{Curve, Part, arc, even_chords};
+use crate::sampling::{self, Turning};
 use crate::{EulerBend, Path, rule};
 
 /// Beyond this the effective radius means nothing any more (degrees): tan(angle / 2) changes its sign at a half turn.
 const MOST_EFFECTIVE: f64 = 190.0;
 
-/// Beyond this (degrees) the Fresnel series loses more than four of its sixteen digits to cancellation.
+/// Beyond this (degrees) the Fresnel series of both halves loses more than four of its sixteen digits to cancellation.
 const MOST_DEGREES: f64 = 1440.0;
 
 /// Distance from a half turn within which the effective radius is taken from its limit (degrees).
@@ -35,6 +30,9 @@ pub(crate) struct Euler {
     p: f64,
     /// Length of each clothoid.
     clothoid: f64,
+    /// Where the first clothoid ends.
+    joint: Point,
+    curve: Clothoid,
     /// Length of the whole bend.
     length: f64,
     /// Shape of the second half: the image of the first, run through backwards.
@@ -79,7 +77,9 @@ impl Euler {
         let turn = degrees.abs().to_radians();
         let clothoid = (p * turn).sqrt();
         let length = 2.0 * clothoid + 1.0 / clothoid * turn * (1.0 - p);
-        let mut bend = Self { degrees, p, clothoid, length, second_half: Transform::IDENTITY.matrix(), scale: 1.0 };
+        let curve = Clothoid::up_to(clothoid);
+        let (joint, second_half) = (curve.at(clothoid), Transform::IDENTITY.matrix());
+        let mut bend = Self { degrees, p, clothoid, joint, curve, length, second_half, scale: 1.0 };
         let middle = bend.first_half(length / 2.0);
         let turned = Transform { x_reflection: true, ..Transform::rotation(degrees.abs() - 180.0) }.matrix();
         bend.second_half = turned.shifted(middle - turned.apply(middle));
@@ -94,7 +94,7 @@ impl Euler {
     /// The bend as the specification samples it, with what it records.
     pub(crate) fn path(self, num_pts: f64) -> Result<Path> {
         rule::point_count("euler", num_pts)?;
-        let half: Vec<Point> = self.half_points(arc::count_of(num_pts, self.degrees)).collect();
+        let half = self.half_points(arc::count_of(num_pts, self.degrees));
         let second = half.iter().rev().map(|p| self.second_half.apply(*p));
         let points: Vec<Point> =
             half[..half.len() - 1].iter().copied().chain(second).map(|p| self.in_micrometers(p)).collect();
@@ -110,7 +110,7 @@ impl Euler {
     }
 
     /// The points of the first half, both ends included: `n` shared out among clothoid and arc.
-    fn half_points(&self, n: usize) -> impl Iterator<Item = Point> {
+    fn half_points(&self, n: usize) -> Vec<Point> {
         let middle = self.length / 2.0;
         // With this order of operations halves are rounded as in the specification.
         let on_clothoid = if n <= 2 { 0 } else { count::nearest(n as f64 * (self.clothoid / middle)) };
@@ -118,21 +118,64 @@ impl Euler {
         // The reference draws a piece with too few points not at all, and what comes after it in a wrong place.
         let on_clothoid = on_clothoid.max(2);
         let on_arc = if self.p < 1.0 { on_arc.max(2) } else { on_arc };
-        let clothoid = count::linspace(0.0, self.clothoid, on_clothoid);
-        let arc = count::linspace(self.clothoid, middle, on_arc).skip(1);
-        clothoid.chain(arc).map(|s| self.first_half(s))
+        let lengths: Vec<f64> = count::linspace(0.0, self.clothoid, on_clothoid).collect();
+        let mut points = self.curve.at_each(&lengths);
+        points.extend(count::linspace(self.clothoid, middle, on_arc).skip(1).map(|s| self.on_arc(s)));
+        points
+    }
+
+    /// The fewest points strictly between the ends that keep every chord within a tolerance (µm); nothing if that is too
+    /// many.
+    pub(crate) fn between_ends(&self, tolerance: f64) -> Option<Vec<Point>> {
+        let own = even_chords::between_ends(self, tolerance / self.scale);
+        let placed = own.map(|points| points.into_iter().map(|p| self.in_micrometers(p)).collect());
+        placed.or_else(|| sampling::between_ends(self, tolerance))
+    }
+
+    /// How many of its own units of length a micrometer is worth.
+    #[cfg(test)]
+    pub(super) fn scale(&self) -> f64 {
+        self.scale
+    }
+
+    /// Length of each clothoid, and so the largest curvature, in the bend's own unit.
+    pub(super) fn clothoid_length(&self) -> f64 {
+        self.clothoid
+    }
+
+    /// Length of the arc between the clothoids.
+    pub(super) fn arc_length(&self) -> f64 {
+        self.length - 2.0 * self.clothoid
+    }
+
+    /// The points at lengths from the start, up to the middle and in rising order; as for all of these, turning left.
+    pub(super) fn first_half_at(&self, lengths: &[f64]) -> Vec<Point> {
+        let on_clothoid = lengths.partition_point(|s| *s <= self.clothoid);
+        let mut points = self.curve.at_each(&lengths[..on_clothoid]);
+        points.extend(lengths[on_clothoid..].iter().map(|s| self.on_arc(*s)));
+        points
+    }
+
+    /// The point as far before the end as a point is behind the start.
+    pub(super) fn mirrored(&self, p: Point) -> Point {
+        self.second_half.apply(p)
+    }
+
+    pub(super) fn middle(&self) -> Point {
+        self.first_half(self.length / 2.0)
     }
 
     /// The point at a length from the start, up to the middle, in the bend's own unit, turning left.
     fn first_half(&self, s: f64) -> Point {
-        if s <= self.clothoid {
-            return fresnel(s);
-        }
+        if s <= self.clothoid { self.curve.at(s) } else { self.on_arc(s) }
+    }
+
+    /// The same behind the clothoid.
+    fn on_arc(&self, s: f64) -> Point {
         let radius = self.smallest_radius();
         let joint = self.clothoid * self.clothoid / 2.0;
         let turned = joint + (s - self.clothoid) / radius;
-        let from_joint = Point::new(turned.sin() - joint.sin(), joint.cos() - turned.cos());
-        fresnel(self.clothoid) + from_joint * radius
+        self.joint + Point::new(turned.sin() - joint.sin(), joint.cos() - turned.cos()) * radius
     }
 
     fn smallest_radius(&self) -> f64 {
@@ -216,76 +259,9 @@ fn check(radius: f64, degrees: f64, p: f64, use_eff: bool) -> Result<()> {
     }
 }
 
-/// The point of the clothoid at a length `s` from its start, where its curvature is `s`:
-/// the integrals of cos(s²/2) and sin(s²/2) as power series in t = s/√2.
-fn fresnel(s: f64) -> Point {
-    let t = s / SQRT_2;
-    let square = t * t;
-    let fourth = square * square;
-    let (mut x, mut y) = (0.0, 0.0);
-    // t^(4k+1).
-    let mut power = t;
-    for [of_x, of_y] in FRESNEL {
-        let (before_x, before_y) = (x, y);
-        x += power * of_x;
-        y += power * square * of_y;
-        if x == before_x && y == before_y {
-            break;
-        }
-        power *= fourth;
-    }
-    Point::new(x, y) * SQRT_2
-}
-
-/// Terms that are enough for [`MOST_DEGREES`]: then t² is 8π, and the first term left out is below 1e-40.
-const TERMS: usize = 64;
-
-/// The factors of t^(4k+1) in x and of t^(4k+3) in y: alternately 1 / ((2m+1) m!) with both signs, for m = 2k, 2k+1.
-static FRESNEL: [[f64; 2]; TERMS] = {
-    let mut factors = [[0.0; 2]; TERMS];
-    let (mut k, mut m, mut factorial, mut sign) = (0, 0.0, 1.0, 1.0);
-    while k < TERMS {
-        let of_x = sign / ((2.0 * m + 1.0) * factorial);
-        factorial *= m + 1.0;
-        let of_y = sign / ((2.0 * m + 3.0) * factorial);
-        factorial *= m + 2.0;
-        factors[k] = [of_x, of_y];
-        (k, m, sign) = (k + 1, m + 2.0, -sign);
-    }
-    factors
-};
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// The same integrals by Simpson's rule.
-    fn integrated(s: f64) -> Point {
-        let n = 20_000;
-        let h = s / f64::from(n);
-        let weight = |i: i32| {
-            if i == 0 || i == n {
-                1.0
-            } else if i % 2 == 1 {
-                4.0
-            } else {
-                2.0
-            }
-        };
-        let sum = (0..=n).fold(Point::ORIGIN, |sum, i| {
-            let phase = (h * f64::from(i)).powi(2) / 2.0;
-            sum + Point::new(phase.cos(), phase.sin()) * weight(i)
-        });
-        sum * (h / 3.0)
-    }
-
-    #[test]
-    fn the_series_gives_the_fresnel_integrals_at_all_lengths_that_are_allowed() {
-        let longest = MOST_DEGREES.to_radians().sqrt();
-        for s in [0.0, 0.1, 1.0, 1.7, 2.5, 3.5, longest] {
-            assert!(fresnel(s).distance(integrated(s)) < 1e-10, "{s}");
-        }
-    }
 
     #[test]
     fn bends_end_where_the_specification_says() {

@@ -7,10 +7,13 @@
 
 mod arc;
 mod euler;
+mod even_chords;
+mod fresnel;
 mod spiral;
 mod straight;
 
 use phidl_core::geom::{Point, Transform};
+use phidl_core::num::angle;
 
 pub(crate) use arc::{Arc, WIDEST_CHORD};
 pub(crate) use euler::Euler;
@@ -42,7 +45,7 @@ impl Curve {
         match self {
             Self::Points | Self::Line => Some(Vec::new()),
             Self::Arc(arc) => arc.between_ends(tolerance),
-            Self::Euler(euler) => sampling::between_ends(euler, tolerance),
+            Self::Euler(euler) => euler.between_ends(tolerance),
             Self::Arm(arm) => sampling::between_ends(arm, tolerance),
         }
     }
@@ -86,6 +89,30 @@ impl Part {
         Some(own.into_iter().map(|p| matrix.apply(p)).collect())
     }
 
+    /// The circle on which its points lie evenly, if it is an arc of `chords` chords that are not too coarse for a miter.
+    pub(crate) fn circle(&self, chords: usize) -> Option<Circle> {
+        /// With wider chords (degrees) a miter is no matter of a radius any more.
+        const WIDEST: f64 = 90.0;
+        let Curve::Arc(arc) = &self.curve else { return None };
+        let step = arc.degrees().abs() / chords as f64;
+        let to_the_left = (arc.degrees() > 0.0) != self.place.x_reflection;
+        (step <= WIDEST).then(|| Circle {
+            center: self.place.apply(arc.center()),
+            radius: arc.radius() * self.place.magnification,
+            step,
+            to_the_left,
+        })
+    }
+
+    /// Sum of its chords (µm); `points` are its points.
+    pub(crate) fn length(&self, points: &[Point]) -> f64 {
+        let chords = points.len() - 1;
+        match self.circle(chords) {
+            Some(circle) => circle.chord() * chords as f64,
+            None => points.windows(2).map(|segment| segment[0].distance(segment[1])).sum(),
+        }
+    }
+
     /// The same part further on in a path, put through a transform.
     pub(crate) fn moved(&self, points_before: usize, by: &Transform) -> Self {
         Self { curve: self.curve.clone(), place: self.place.then(by), end: self.end + points_before }
@@ -100,6 +127,35 @@ impl Part {
                 (direction::of_segment(points[0], points[1]), direction::of_segment(points[n - 2], points[n - 1]))
             }
         }
+    }
+}
+
+/// What evenly spaced points of a path lie on.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Circle {
+    center: Point,
+    radius: f64,
+    /// Angle between neighboring points (degrees).
+    step: f64,
+    to_the_left: bool,
+}
+
+impl Circle {
+    /// Distance between neighboring points (µm).
+    pub(crate) fn chord(&self) -> f64 {
+        2.0 * self.radius * angle::sin_cos(self.step / 2.0).0
+    }
+
+    /// By how much longer per micrometer a parallel to the right is: the curvature of the chords.
+    pub(crate) fn bend(&self) -> f64 {
+        let bend = 1.0 / (self.radius * angle::sin_cos(self.step / 2.0).1);
+        if self.to_the_left { bend } else { -bend }
+    }
+
+    /// The miter at one of the points: along the radius, as long as the chords call for.
+    pub(crate) fn miter(&self) -> impl Fn(&Point) -> Point + use<> {
+        let (center, bend) = (self.center, self.bend());
+        move |p| (*p - center) * bend
     }
 }
 

@@ -222,8 +222,17 @@ impl Piece {
     }
 
     fn depths(&self, other: &Self) -> impl Iterator<Item = f64> {
-        let others: Vec<Quad> = other.quads().collect();
-        self.quads().flat_map(move |quad| others.iter().map(|other| depth(&quad, other)).collect::<Vec<_>>())
+        let (own, others) = (self.quads_in(&other.bounds), other.quads_in(&self.bounds));
+        own.into_iter().flat_map(move |(quad, bounds)| {
+            let near = others.iter().filter(|(_, other)| boxes_overlap(&bounds, other));
+            near.map(|(other, _)| depth(&quad, other)).reduce(f64::max)
+        })
+    }
+
+    /// The quadrilaterals that reach into a box, each with its own.
+    fn quads_in(&self, bounds: &Rect) -> Vec<(Quad, Rect)> {
+        let boxed = self.quads().map(|quad| (quad, around(quad)));
+        boxed.filter(|(_, own)| boxes_overlap(own, bounds)).collect()
     }
 
     /// Whether two pieces of one wire lie on one another.

@@ -21,13 +21,17 @@ pub(super) fn measure(sitting: &Sitting<'_>) -> anyhow::Result<Section> {
     let extrude = || Path::from_points(&points)?.extrude(&strips);
     section.add("extrude 10,000 points over 3 sections", clock::best(extrude), &times, "extrude");
     let checked = || Path::from_points(&points)?.extrude_checked(&strips);
+    checked().map_err(crate::in_full)?; // it draws, and does not end with a fold
     section.add("the same, checked for folds", clock::best(checked), &times, "extrude");
-    let (bends, extruded) = (|| drawn(Ok), || drawn(|path| path.extrude_width(0.5, 1)));
+    let bend = EulerBend::new();
+    let (bends, extruded) = (|| drawn(bend, Ok), || drawn(bend, |path| path.extrude_width(0.5, 1)));
     section.add("1,000 Euler bends", clock::best(bends), &times, "bends");
     section.add("the same, extruded", clock::best(extruded), &times, "bends, extruded");
-    let within = || drawn(|path| path.with_tolerance(1e-3));
+    // Points that are not kept need not be drawn.
+    let few = bend.num_pts(1);
+    let within = || drawn(few, |path| path.with_tolerance(1e-3));
     section.add("1,000 Euler bends within 1 nm", clock::best(within), &times, "");
-    let within = || drawn(|path| path.with_tolerance(1e-3)?.extrude_width(0.5, 1));
+    let within = || drawn(few, |path| path.with_tolerance(1e-3)?.extrude_width(0.5, 1));
     section.add("the same, extruded", clock::best(within), &times, "bends within 1 nm, extruded");
     let corners = loads::corners();
     let smooth = || Path::smooth(&corners, 5, EulerBend::new());
@@ -43,6 +47,6 @@ fn three_strips() -> CrossSection {
 }
 
 /// Each of the bends, and what is made of it.
-fn drawn<T>(finish: impl Fn(Path) -> Result<T>) -> Result<Vec<T>> {
-    loads::radii().into_iter().map(|radius| finish(Path::euler(radius, 90)?)).collect()
+fn drawn<T>(bend: EulerBend, finish: impl Fn(Path) -> Result<T>) -> Result<Vec<T>> {
+    loads::radii().into_iter().map(|radius| finish(bend.path(radius, 90)?)).collect()
 }

@@ -8,6 +8,7 @@ mod page;
 mod paths;
 mod plate;
 mod sheet;
+mod tutorials;
 
 use std::path::{Path, PathBuf};
 
@@ -56,11 +57,11 @@ pub(crate) fn run(flags: &GalleryFlags) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// All drawings of the repository as they are now: those of devices, of paths, and the sheet.
+/// All drawings of the repository as they are now: those of devices, of paths, of tutorials, and the sheet.
 fn committed(plates: &[Plate], sheet: &str) -> anyhow::Result<Vec<Drawn>> {
     let figures =
         plates.iter().filter_map(|plate| Some(Drawn { path: plate.file.clone()?, text: plate.figure.clone() }));
-    let mut all: Vec<Drawn> = figures.chain(paths::all()?).collect();
+    let mut all: Vec<Drawn> = figures.chain(paths::all()?).chain(tutorials::all()?).collect();
     all.push(Drawn { path: SHEET.into(), text: sheet.to_owned() });
     Ok(all)
 }

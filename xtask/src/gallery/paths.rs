@@ -12,9 +12,8 @@ use phidl_route::{
 
 use super::{Drawn, figure_options};
 
-/// Rows of a figure are this far apart (µm), and names this far below their row.
+/// The things of a figure are this far apart (µm).
 const GAP: f64 = 12.0;
-const NAME_GAP: f64 = 4.0;
 
 /// All of them.
 pub(super) fn all() -> anyhow::Result<Vec<Drawn>> {
@@ -26,7 +25,7 @@ pub(super) fn all() -> anyhow::Result<Vec<Drawn>> {
     figures.into_iter().map(|(path, device)| drawn(path.into(), &device.map_err(crate::in_full)?)).collect()
 }
 
-fn drawn(path: PathBuf, device: &Device) -> anyhow::Result<Drawn> {
+pub(super) fn drawn(path: PathBuf, device: &Device) -> anyhow::Result<Drawn> {
     let options = FigureOptions { size: Size::new(640.0, 420.0), ..figure_options(device)? };
     let text = svg::figure(device, &options).map_err(|error| anyhow::anyhow!(error.in_full()))?;
     Ok(Drawn { path, text })
@@ -52,20 +51,26 @@ fn pieces() -> Result<Device> {
     let wide = wide.add(Section::new(2).offset(8).layer(3).named("wire"));
     let spiral = Spiral { num_turns: 3.0, gap: 3.0, inner_gap: 9.0, num_pts: 2000.0 };
     let wavy = |t: f64| 3.0 + 1.5 * (6.0 * PI * t).cos();
-    rows([
-        vec![
-            ("arc", ArcBend::new().path(25, 90)?.extrude_width(2, 0)?),
-            ("Euler bend", EulerBend::new().use_eff().path(25, 90)?.extrude_width(2, 0)?),
-            ("spiral", spiral.path()?.extrude_width(1.5, 0)?),
-            ("corners", Path::from_points(points)?.extrude_width(2, 0)?),
-            ("smooth", Path::smooth(points, 5, EulerBend::new().use_eff())?.extrude_width(2, 0)?),
+    rows(
+        GAP,
+        [
+            vec![
+                ("arc", ArcBend::new().path(25, 90)?.extrude_width(2, 0)?),
+                ("Euler bend", EulerBend::new().use_eff().path(25, 90)?.extrude_width(2, 0)?),
+                ("spiral", spiral.path()?.extrude_width(1.5, 0)?),
+                ("corners", Path::from_points(points)?.extrude_width(2, 0)?),
+                ("smooth", Path::smooth(points, 5, EulerBend::new().use_eff())?.extrude_width(2, 0)?),
+            ],
+            vec![
+                ("width by a list", Path::straight(50)?.extrude_width((1, 6), 0)?),
+                ("by a function", Path::straight(50)?.extrude(&CrossSection::new().add(Section::new(wavy)))?),
+                (
+                    "transition",
+                    EulerBend::new().path(50, 60)?.extrude(&transition(&narrow, &wide, WidthChange::Sine)?)?,
+                ),
+            ],
         ],
-        vec![
-            ("width by a list", Path::straight(50)?.extrude_width((1, 6), 0)?),
-            ("by a function", Path::straight(50)?.extrude(&CrossSection::new().add(Section::new(wavy)))?),
-            ("transition", EulerBend::new().path(50, 60)?.extrude(&transition(&narrow, &wide, WidthChange::Sine)?)?),
-        ],
-    ])
+    )
 }
 
 /// Every kind of route.
@@ -74,22 +79,26 @@ fn routes() -> Result<Device> {
     let (a, b) = ends();
     let bus: Vec<Port> =
         (0..3).flat_map(|i| [Port::new((0, 7 * i), 2, 0), Port::new((50 - 7 * i, 40), 2, 270)]).collect();
-    rows([
-        vec![
-            ("quad", route_quad(((0, 0), 12, 0), ((40, 12), 4, 180), None, None, 0)?),
-            ("basic", RouteBasicParams::new(((0, 0), 2, 0), ((50, 25), 6, 180)).path_type(Course::Sine).build()?),
-            ("sharp", route_sharp(&a, &b, None, PathType::Manhattan, 0)?),
-            ("smooth", RouteSmoothParams::new(&a, &b).radius(10).path_type(PathType::Manhattan).build()?),
+    rows(
+        GAP,
+        [
+            vec![
+                ("quad", route_quad(((0, 0), 12, 0), ((40, 12), 4, 180), None, None, 0)?),
+                ("basic", RouteBasicParams::new(((0, 0), 2, 0), ((50, 25), 6, 180)).path_type(Course::Sine).build()?),
+                ("sharp", route_sharp(&a, &b, None, PathType::Manhattan, 0)?),
+                ("smooth", RouteSmoothParams::new(&a, &b).radius(10).path_type(PathType::Manhattan).build()?),
+            ],
+            vec![
+                ("manhattan_auto", route_manhattan_auto(bus, RouteBend::Circular, 8, 0)?),
+                ("serpentine", route_serpentine(((0, 0), 2, 0), ((120, 30), 2, 180), 400, RouteBend::Euler, 8, 0)?),
+            ],
         ],
-        vec![
-            ("manhattan_auto", route_manhattan_auto(bus, RouteBend::Circular, 8, 0)?),
-            ("serpentine", route_serpentine(((0, 0), 2, 0), ((120, 30), 2, 180), 400, RouteBend::Euler, 8, 0)?),
-        ],
-    ])
+    )
 }
 
-/// Things in rows, each with its name below.
-fn rows<const N: usize>(rows: [Vec<(&str, Device)>; N]) -> Result<Device> {
+/// Things in rows, so far apart (µm), each with its name below.
+pub(super) fn rows<const N: usize>(gap: f64, rows: [Vec<(&str, Device)>; N]) -> Result<Device> {
+    let name_gap = gap / 3.0;
     let mut d = Device::builder("figure");
     let mut top = 0.0;
     for row in rows {
@@ -97,11 +106,13 @@ fn rows<const N: usize>(rows: [Vec<(&str, Device)>; N]) -> Result<Device> {
         for (name, thing) in row {
             let mut thing = thing.place();
             thing.set_xmin(left).set_y(top - height / 2.0);
-            d.add_label(name, (thing.x(), top - height - NAME_GAP), 0);
-            left = thing.xmax() + GAP;
+            if !name.is_empty() {
+                d.add_label(name, (thing.x(), top - height - name_gap), 0);
+            }
+            left = thing.xmax() + gap;
             d.add(thing);
         }
-        top -= height + NAME_GAP + GAP;
+        top -= height + name_gap + gap;
     }
     d.build()
 }

@@ -9,10 +9,10 @@ use phidl_core::scene::Device;
 /// Points of [`winding`].
 pub const POINTS: u32 = 10_000;
 
-/// A winding line of many points.
+/// A winding line of many points. Strips within 5 µm of it do not fold.
 #[must_use]
 pub fn winding() -> Vec<Point> {
-    (0..POINTS).map(|i| f64::from(i) * 0.01).map(|t| Point::new(5.0 * t, 20.0 * t.sin())).collect()
+    (0..POINTS).map(|i| f64::from(i) * 0.01).map(|t| Point::new(5.0 * t, 5.0 * t.sin())).collect()
 }
 
 /// The radii of a thousand bends (µm).
