@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use super::flight::{self, Drawing, Turn};
 use super::key::Key;
-use super::{Entry, Generator, Record, worker};
+use super::{Entry, Generator, Record, stack, worker};
 use crate::error::{Error, Result};
 use crate::scene::{Device, Source};
 
@@ -56,5 +56,5 @@ fn draw(entry: &'static Entry, record: &Arc<Record>, body: &Body<'_>) -> Result<
 
 /// The unit of a parameter of the generator with this name, if this thread is just drawing it.
 pub(crate) fn unit_while_drawing(device: &str, param: &str) -> Option<&'static str> {
-    flight::search_own_stack(|entry| (entry.name == device).then_some(entry))?.unit(param)
+    stack::search(|entry| (entry.name == device).then_some(entry))?.unit(param)
 }

@@ -13,6 +13,7 @@ mod key;
 mod reader;
 mod recipe;
 pub mod registry;
+mod stack;
 mod worker;
 
 pub use entry::{Entry, ParamInfo, Redraw, Row};
