@@ -42,6 +42,11 @@ impl Point {
         Self { x: radius * cos, y: radius * sin }
     }
 
+    /// Whether all points are finite: without a branch for each, since nearly always they are.
+    pub(crate) fn all_finite(points: &[Self]) -> bool {
+        points.iter().fold(true, |all, p| all & p.is_finite())
+    }
+
     /// Distance from the origin (µm).
     #[must_use]
     #[inline]

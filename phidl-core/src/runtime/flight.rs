@@ -18,11 +18,9 @@ use std::thread::{self, ThreadId};
 
 use rustc_hash::FxBuildHasher;
 
-use super::Entry;
 use super::cache::{State, lock};
-use super::key::Key;
 use super::stack::{self, Frame};
-use super::worker;
+use super::{Entry, Record, worker};
 use crate::error::{Error, Result};
 use crate::scene::Device;
 
@@ -30,7 +28,7 @@ use crate::scene::Device;
 #[derive(Default)]
 pub(super) struct Flights {
     /// Those that others may wait for.
-    by_key: HashMap<Key, Arc<Flight>, FxBuildHasher>,
+    by_key: HashMap<Record, Arc<Flight>, FxBuildHasher>,
     /// What a thread waits for.
     waiting: HashMap<ThreadId, Waiting, FxBuildHasher>,
 }
@@ -38,7 +36,7 @@ pub(super) struct Flights {
 /// A thread that waits.
 struct Waiting {
     /// The cell it waits for.
-    wanted: Key,
+    wanted: Record,
     /// What it draws meanwhile.
     stack: Vec<Frame>,
 }
@@ -60,9 +58,9 @@ pub(super) enum Turn {
     /// Draw the cell.
     Draw(Drawing),
     /// Draw the cell on a thread of its own, with [`start_apart`]: here it is not clear whether it needs itself.
-    DrawApart(End),
+    DrawApart(Record, End),
     /// Ask again: the body panicked in the thread that was waited for.
-    Again,
+    Again(Record),
 }
 
 /// The way of the waiting, from the wanted cell on.
@@ -76,16 +74,16 @@ enum Way {
 }
 
 /// Asks for a cell, and waits if another thread is drawing it.
-pub(super) fn request(key: &Key, entry: &'static Entry) -> Result<Turn> {
+pub(super) fn request(key: Record, entry: &'static Entry) -> Result<Turn> {
     let mut state = lock();
-    if let Some(device) = state.hit(key) {
+    if let Some(device) = state.hit(&key) {
         return Ok(Turn::Done(device));
     }
-    if let Some(chain) = stack::circle(key) {
-        return if worker::is_one() { Ok(Turn::DrawApart(End::Cache)) } else { Err(Error::Circle { chain }) };
+    if let Some(chain) = stack::circle(&key) {
+        return if worker::is_one() { Ok(Turn::DrawApart(key, End::Cache)) } else { Err(Error::Circle { chain }) };
     }
     let me = this_thread();
-    let Some(flight) = state.flights.by_key.get(key).cloned() else {
+    let Some(flight) = state.flights.by_key.get(&key).cloned() else {
         state.stats.misses += 1;
         return Ok(Turn::Draw(state.flights.start(me, key, entry)));
     };
@@ -93,18 +91,18 @@ pub(super) fn request(key: &Key, entry: &'static Entry) -> Result<Turn> {
     match state.flights.way(me, &waiting) {
         Way::Circle(chain) => Err(Error::Circle { chain }),
         Way::Unclear => Ok(Turn::Draw(state.draw_again(key, entry))),
-        Way::Open => wait(state, me, waiting, &flight, entry),
+        Way::Open => wait(state, me, key, waiting, &flight, entry),
     }
 }
 
 fn wait(
     mut state: MutexGuard<'static, State>,
     me: ThreadId,
+    key: Record,
     waiting: Waiting,
     flight: &Flight,
     entry: &'static Entry,
 ) -> Result<Turn> {
-    let key = waiting.wanted.clone();
     state.flights.waiting.insert(me, waiting);
     let mut patient = true;
     while flight.outcome.get().is_none() && patient {
@@ -117,35 +115,35 @@ fn wait(
             Ok(Turn::Done(device.clone()))
         }
         Some(Some(Err(error))) => Err(error.clone()),
-        Some(None) => Ok(Turn::Again),
-        None => Ok(Turn::Draw(state.draw_again(&key, entry))),
+        Some(None) => Ok(Turn::Again(key)),
+        None => Ok(Turn::Draw(state.draw_again(key, entry))),
     }
 }
 
 /// Asks to draw a cell which nobody else will get.
-pub(super) fn request_uncached(key: &Key, entry: &'static Entry) -> Result<Turn> {
-    match stack::circle(key) {
+pub(super) fn request_uncached(key: Record, entry: &'static Entry) -> Result<Turn> {
+    match stack::circle(&key) {
         None => Ok(Turn::Draw(Drawing::begin(key, entry, End::Nobody))),
-        Some(_) if worker::is_one() => Ok(Turn::DrawApart(End::Nobody)),
+        Some(_) if worker::is_one() => Ok(Turn::DrawApart(key, End::Nobody)),
         Some(chain) => Err(Error::Circle { chain }),
     }
 }
 
 /// Starts to draw a cell that the thread which waits for this one is drawing already.
-pub(super) fn start_apart(key: &Key, entry: &'static Entry, end: &End) -> Drawing {
+pub(super) fn start_apart(key: Record, entry: &'static Entry, end: &End) -> Drawing {
     Drawing::begin(key, entry, end.clone())
 }
 
 impl State {
     /// Draws a cell here that another thread is drawing, too: the one that is finished first is kept.
-    fn draw_again(&mut self, key: &Key, entry: &'static Entry) -> Drawing {
+    fn draw_again(&mut self, key: Record, entry: &'static Entry) -> Drawing {
         self.stats.misses += 1;
         Drawing::begin(key, entry, End::Cache)
     }
 }
 
 impl Flights {
-    fn start(&mut self, me: ThreadId, key: &Key, entry: &'static Entry) -> Drawing {
+    fn start(&mut self, me: ThreadId, key: Record, entry: &'static Entry) -> Drawing {
         let (outcome, ended) = (OnceLock::new(), Condvar::new());
         let flight = Arc::new(Flight { thread: me, on_worker: worker::is_one(), outcome, ended });
         self.by_key.insert(key.clone(), Arc::clone(&flight));
@@ -191,25 +189,26 @@ pub(super) enum End {
 }
 
 impl Drawing {
-    fn begin(key: &Key, entry: &'static Entry, end: End) -> Self {
+    fn begin(key: Record, entry: &'static Entry, end: End) -> Self {
         stack::push(key, entry);
         Self { end: Some(end) }
     }
 
-    /// Ends the drawing: keeps the cell and gives it, or the failure, to those who wait.
+    /// Ends the drawing: records in the cell who drew it, keeps it, and gives it, or the failure, to those who wait.
     ///
     /// Returns the cell that is kept, which is another one if somebody else was first.
     pub(super) fn end(mut self, result: Result<Device>) -> Result<Device> {
         let (end, frame) = (self.end.take(), stack::pop());
-        let (Some(Frame { key, .. }), Some(End::Cache | End::Waiting(_))) = (&frame, &end) else {
-            return result;
-        };
+        let Frame { key, entry } = frame.expect("invariant: the body that ends is on the stack");
+        let signed = |record: Record| result.map(|device| device.with_source(entry.source(record)));
+        let Some(end @ (End::Cache | End::Waiting(_))) = end else { return signed(key) };
+        let result = signed(key.clone());
         let mut state = lock();
-        let result = result.map(|device| state.keep_first(key, device));
-        if let Some(End::Waiting(flight)) = end {
-            state.flights.land(key, &flight, Some(result.clone()));
+        let result = result.map(|device| state.keep_first(&key, device));
+        if let End::Waiting(flight) = end {
+            state.flights.land(&key, &flight, Some(result.clone()));
         }
-        drop(state); // the frame goes without the lock
+        drop(state); // the key goes without the lock
         result
     }
 }
@@ -224,7 +223,7 @@ impl Drop for Drawing {
 }
 
 impl Flights {
-    fn land(&mut self, key: &Key, flight: &Flight, outcome: Option<Result<Device>>) {
+    fn land(&mut self, key: &Record, flight: &Flight, outcome: Option<Result<Device>>) {
         self.by_key.remove(key);
         let fresh = flight.outcome.set(outcome);
         debug_assert!(fresh.is_ok(), "invariant: a flight ends with its drawing, once");

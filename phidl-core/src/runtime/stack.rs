@@ -5,13 +5,13 @@
 
 use std::cell::RefCell;
 
-use super::Entry;
-use super::key::Key;
+use super::{Entry, Record};
+use crate::error::Result;
 
 /// A body that runs.
 #[derive(Clone)]
 pub(super) struct Frame {
-    pub(super) key: Key,
+    pub(super) key: Record,
     pub(super) entry: &'static Entry,
 }
 
@@ -21,13 +21,18 @@ thread_local! {
 }
 
 /// Notes that a body begins.
-pub(super) fn push(key: &Key, entry: &'static Entry) {
-    OWN.with_borrow_mut(|stack| stack.push(Frame { key: key.clone(), entry }));
+pub(super) fn push(key: Record, entry: &'static Entry) {
+    OWN.with_borrow_mut(|stack| stack.push(Frame { key, entry }));
 }
 
 /// Notes that the innermost body ended.
 pub(super) fn pop() -> Option<Frame> {
     OWN.with_borrow_mut(Vec::pop)
+}
+
+/// Refuses parameters of the innermost body that are out of their bounds.
+pub(super) fn check_bounds() -> Result<()> {
+    OWN.with_borrow(|stack| stack.last().map_or(Ok(()), |Frame { key, entry }| entry.check_bounds(key)))
 }
 
 /// What this thread is drawing.
@@ -36,16 +41,16 @@ pub(super) fn copy() -> Vec<Frame> {
 }
 
 /// The names from a cell upwards and its own once more, if this thread is drawing it.
-pub(super) fn circle(key: &Key) -> Option<Vec<String>> {
+pub(super) fn circle(key: &Record) -> Option<Vec<String>> {
     OWN.with_borrow(|stack| {
-        let mut chain = names_from(stack, key);
-        chain.push(chain.first()?.clone());
-        Some(chain)
+        let place = stack.iter().position(|frame| frame.key == *key)?;
+        let names = stack[place..].iter().chain([&stack[place]]);
+        Some(names.map(|frame| frame.entry.name.to_owned()).collect())
     })
 }
 
 /// The names from a cell upwards.
-pub(super) fn names_from(stack: &[Frame], key: &Key) -> Vec<String> {
+pub(super) fn names_from(stack: &[Frame], key: &Record) -> Vec<String> {
     stack.iter().skip_while(|frame| frame.key != *key).map(|frame| frame.entry.name.to_owned()).collect()
 }
 
