@@ -124,8 +124,12 @@ mod tests {
         d.build().unwrap()
     }
 
+    fn key(n: u32) -> Record {
+        [("n", n.into())].into()
+    }
+
     fn keep(state: &mut State, n: u32, points: u32) -> Device {
-        state.keep_first(&Record::of_number(n), cell(points))
+        state.keep_first(&key(n), cell(points))
     }
 
     #[test]
@@ -134,9 +138,9 @@ mod tests {
         for n in 0..3 {
             keep(&mut state, n, 1000);
         }
-        assert!(state.hit(&Record::of_number(0)).is_some(), "all three fit, and this one was just used");
+        assert!(state.hit(&key(0)).is_some(), "all three fit, and this one was just used");
         keep(&mut state, 3, 1000);
-        let kept: Vec<bool> = (0..4).map(|n| state.hit(&Record::of_number(n)).is_some()).collect();
+        let kept: Vec<bool> = (0..4).map(|n| state.hit(&key(n)).is_some()).collect();
         assert_eq!(kept, [true, false, true, true]);
         assert_eq!((state.stats.evictions, state.stats.bytes), (1, 3 * cell(1000).own_size()));
     }
@@ -146,7 +150,7 @@ mod tests {
         let mut state = State::new(cell(1000).own_size());
         keep(&mut state, 0, 10);
         keep(&mut state, 1, 2000);
-        assert!(state.hit(&Record::of_number(0)).is_some() && state.hit(&Record::of_number(1)).is_none());
+        assert!(state.hit(&key(0)).is_some() && state.hit(&key(1)).is_none());
     }
 
     #[test]

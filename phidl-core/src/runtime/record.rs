@@ -54,6 +54,13 @@ impl Record {
     }
 }
 
+impl<const N: usize> From<[(&'static str, Value); N]> for Record {
+    /// A record of no generator.
+    fn from(mut params: [(&'static str, Value); N]) -> Self {
+        Self::new(TypeId::of::<()>(), &mut params)
+    }
+}
+
 impl Deref for Record {
     type Target = [(&'static str, Value)];
 
@@ -81,13 +88,5 @@ impl Hash for Record {
 impl std::fmt::Debug for Record {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_map().entries(self.iter().map(|(name, value)| (name, value))).finish()
-    }
-}
-
-#[cfg(test)]
-impl Record {
-    /// The record of a call that nothing else makes.
-    pub(super) fn of_number(n: u32) -> Self {
-        Self::new(TypeId::of::<u32>(), &mut [("n", n.into())])
     }
 }
