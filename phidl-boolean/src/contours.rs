@@ -40,6 +40,8 @@ impl Contours {
     /// Appends one contour, or nothing if one of its points is an error.
     pub(crate) fn try_push<E>(&mut self, contour: impl IntoIterator<Item = Result<GridPoint, E>>) -> Result<(), E> {
         let start = self.points.len();
+        let contour = contour.into_iter();
+        self.points.reserve(contour.size_hint().0);
         for point in contour {
             match point {
                 Ok(point) => self.points.push(point),

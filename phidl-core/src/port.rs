@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use smol_str::SmolStr;
+
 use crate::error::{Error, Result};
 use crate::geom::{Point, Rect, Transform};
 use crate::num::angle;
@@ -20,7 +22,7 @@ use crate::place::{Bounded, PlaceFault, Transformable};
 /// [`add_port`](crate::scene::DeviceBuilder::add_port).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Port {
-    name: String,
+    name: SmolStr,
     midpoint: Point,
     width: f64,
     orientation: f64,
@@ -34,7 +36,7 @@ impl Port {
     /// A width that is negative, or a number that is not finite, is refused where the port is added to a cell.
     pub fn new(midpoint: impl Into<Point>, width: impl Into<f64>, orientation: impl Into<f64>) -> Self {
         Self {
-            name: String::new(),
+            name: SmolStr::default(),
             midpoint: midpoint.into(),
             width: width.into(),
             orientation: angle::normalized(orientation.into()),
@@ -52,8 +54,9 @@ impl Port {
 
     /// The same port under another name.
     #[must_use]
-    pub fn named(self, name: impl Into<String>) -> Self {
-        Self { name: name.into(), ..self }
+    pub fn named(mut self, name: impl AsRef<str>) -> Self {
+        self.name = SmolStr::new(name);
+        self
     }
 
     /// The same port with another width (µm).
@@ -72,6 +75,11 @@ impl Port {
     /// The name; empty until the port belongs to a cell.
     #[must_use]
     pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The name in the form in which it is kept.
+    pub(crate) fn short_name(&self) -> &SmolStr {
         &self.name
     }
 
@@ -115,7 +123,9 @@ impl Port {
     /// The port that looks back at this one from the same place.
     #[must_use]
     pub fn flipped(&self) -> Self {
-        Self { orientation: angle::normalized(self.orientation + 180.0), ..self.clone() }
+        let mut flipped = self.clone();
+        flipped.orientation = angle::normalized(self.orientation + 180.0);
+        flipped
     }
 
     /// The placement word that was refused, if one was.

@@ -13,7 +13,7 @@ use testkit::loads;
 
 /// A shape with the parameters with which tests and galleries draw it.
 fn redraw(entry: &'static Entry) -> Result<Redraw> {
-    let example = entry.example()?.into_iter().map(|(name, value)| (name.to_owned(), value)).collect();
+    let example = entry.example()?.by_name();
     entry.redraw(&example)
 }
 

@@ -9,7 +9,6 @@ mod transform;
 
 pub(crate) use hull::convex_hull;
 pub use outline::{Outline, signed_area};
-pub(crate) use point::all_finite;
 pub use point::{Point, Size};
 pub use rect::Rect;
 pub use simplify::simplified;

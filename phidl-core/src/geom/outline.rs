@@ -25,8 +25,14 @@ pub trait Outline: Sized {
 }
 
 impl<P: Into<Point>> Outline for Vec<P> {
+    /// A list of points becomes the buffer if that has no room yet: the first outline of a cell is not copied.
     fn append_to(self, buffer: &mut Vec<Point>) {
-        buffer.extend(self.into_iter().map(Into::into));
+        let points = self.into_iter().map(Into::into);
+        if buffer.capacity() == 0 {
+            *buffer = points.collect(); // which keeps the memory of the list
+        } else {
+            buffer.extend(points);
+        }
     }
 }
 

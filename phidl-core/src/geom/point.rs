@@ -42,6 +42,13 @@ impl Point {
         Self { x: radius * cos, y: radius * sin }
     }
 
+    /// Whether all coordinates of many points are finite numbers: eight points at a time, without a decision at each.
+    pub(crate) fn all_finite(points: &[Self]) -> bool {
+        // Zero times what is not finite is no number, and stays none in a sum.
+        let sum = |points: &[Self]| points.iter().fold(Self::ORIGIN, |sum, p| sum + *p * 0.0);
+        points.chunks(8).all(|points| sum(points).is_finite())
+    }
+
     /// Distance from the origin (µm).
     #[must_use]
     #[inline]
@@ -81,13 +88,6 @@ impl Point {
     pub fn is_finite(self) -> bool {
         self.x.is_finite() && self.y.is_finite()
     }
-}
-
-/// Whether all coordinates of many points are finite numbers: eight points at a time, without a decision at each.
-pub(crate) fn all_finite(points: &[Point]) -> bool {
-    // Zero times what is not finite is no number, and stays none in a sum.
-    let sum = |points: &[Point]| points.iter().fold(Point::ORIGIN, |sum, p| sum + *p * 0.0);
-    points.chunks(8).all(|points| sum(points).is_finite())
 }
 
 impl std::fmt::Display for Point {
@@ -229,11 +229,11 @@ mod tests {
     fn one_coordinate_that_is_not_finite_is_found_among_many() {
         for n in [1, 7, 8, 9, 100] {
             let sound: Vec<Point> = (0..n).map(|i| Point::new(f64::from(i) * 1e300, -f64::MAX)).collect();
-            assert!(all_finite(&sound));
+            assert!(Point::all_finite(&sound));
             for (i, bad) in (0..sound.len()).zip([f64::NAN, f64::INFINITY, -f64::INFINITY].into_iter().cycle()) {
                 let (mut in_x, mut in_y) = (sound.clone(), sound.clone());
                 (in_x[i].x, in_y[i].y) = (bad, bad);
-                assert!(!all_finite(&in_x) && !all_finite(&in_y), "{i} of {n}");
+                assert!(!Point::all_finite(&in_x) && !Point::all_finite(&in_y), "{i} of {n}");
             }
         }
     }

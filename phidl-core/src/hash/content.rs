@@ -38,11 +38,11 @@ pub(crate) fn content(cell: &Cell) -> Digest {
     let mut stream = Stream::new(Device::content_hash);
     stream.text(&cell.name);
     stream.drawing(cell);
-    stream.list(cell.ports.values(), Stream::port);
+    stream.list(cell.ports.iter(), Stream::port);
     stream.count(cell.aliases.len());
-    for (alias, place) in &cell.aliases {
-        stream.text(alias);
-        stream.count(*place);
+    for alias in cell.aliases.iter() {
+        stream.text(&alias.name);
+        stream.count(alias.place);
     }
     stream.map(cell.info.iter().map(|(key, value)| (key.as_str(), value)));
     stream.list(cell.source.iter(), Stream::source);

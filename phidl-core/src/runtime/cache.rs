@@ -15,8 +15,8 @@ use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 use lru::LruCache;
 use rustc_hash::FxBuildHasher;
 
+use super::Record;
 use super::flight::Flights;
-use super::key::Key;
 use crate::scene::Device;
 
 /// How many bytes of cells are kept unless [`set_limit`] says otherwise: half a gibibyte.
@@ -62,7 +62,7 @@ pub fn set_limit(bytes: usize) {
 
 /// Everything that threads share.
 pub(super) struct State {
-    done: LruCache<Key, Device, FxBuildHasher>,
+    done: LruCache<Record, Device, FxBuildHasher>,
     limit: usize,
     pub(super) stats: Stats,
     pub(super) flights: Flights,
@@ -82,7 +82,7 @@ impl State {
     }
 
     /// The finished cell, which becomes the most recently used one.
-    pub(super) fn hit(&mut self, key: &Key) -> Option<Device> {
+    pub(super) fn hit(&mut self, key: &Record) -> Option<Device> {
         let device = self.done.get(key)?.clone();
         self.stats.hits += 1;
         Some(device)
@@ -90,7 +90,7 @@ impl State {
 
     /// Keeps a cell, unless one is kept for the key: that one is returned. A cell that is larger than the limit is not
     /// kept, since all others would have to go for it.
-    pub(super) fn keep_first(&mut self, key: &Key, device: Device) -> Device {
+    pub(super) fn keep_first(&mut self, key: &Record, device: Device) -> Device {
         if let Some(first) = self.done.get(key) {
             return first.clone();
         }
@@ -124,8 +124,12 @@ mod tests {
         d.build().unwrap()
     }
 
+    fn key(n: u32) -> Record {
+        [("n", n.into())].into()
+    }
+
     fn keep(state: &mut State, n: u32, points: u32) -> Device {
-        state.keep_first(&Key::of_number(n), cell(points))
+        state.keep_first(&key(n), cell(points))
     }
 
     #[test]
@@ -134,9 +138,9 @@ mod tests {
         for n in 0..3 {
             keep(&mut state, n, 1000);
         }
-        assert!(state.hit(&Key::of_number(0)).is_some(), "all three fit, and this one was just used");
+        assert!(state.hit(&key(0)).is_some(), "all three fit, and this one was just used");
         keep(&mut state, 3, 1000);
-        let kept: Vec<bool> = (0..4).map(|n| state.hit(&Key::of_number(n)).is_some()).collect();
+        let kept: Vec<bool> = (0..4).map(|n| state.hit(&key(n)).is_some()).collect();
         assert_eq!(kept, [true, false, true, true]);
         assert_eq!((state.stats.evictions, state.stats.bytes), (1, 3 * cell(1000).own_size()));
     }
@@ -146,7 +150,7 @@ mod tests {
         let mut state = State::new(cell(1000).own_size());
         keep(&mut state, 0, 10);
         keep(&mut state, 1, 2000);
-        assert!(state.hit(&Key::of_number(0)).is_some() && state.hit(&Key::of_number(1)).is_none());
+        assert!(state.hit(&key(0)).is_some() && state.hit(&key(1)).is_none());
     }
 
     #[test]

@@ -1,60 +1,55 @@
-//! Drawing a cell: from the cache or by the body, with bounds checked before it and the source recorded after it.
+//! Drawing a cell: from the cache or by the body, with bounds checked before it.
 //!
 //! The generic functions are thin shells around ones that are compiled once, so that a hundred generators stay cheap.
 
-use std::sync::Arc;
-
 use super::flight::{self, Drawing, Turn};
-use super::key::Key;
-use super::{Entry, Generator, Record, worker};
+use super::{Entry, Generator, Record, stack, worker};
 use crate::error::{Error, Result};
-use crate::scene::{Device, Source};
+use crate::scene::Device;
 
 /// The body with its parameters.
 type Body<'a> = dyn Fn() -> Result<Device> + Sync + 'a;
 
 /// The cell with these parameters, from the cache if it is there.
 pub(crate) fn build<G: Generator>(params: &G) -> Result<Device> {
-    run(flight::request, &Key::of(params), G::entry(), &|| params.clone().draw())
+    run(flight::request, params.record(), G::entry(), &|| params.clone().draw())
 }
 
 /// The cell with these parameters, drawn anew.
 pub(crate) fn build_uncached<G: Generator>(params: &G) -> Result<Device> {
-    run(flight::request_uncached, &Key::of(params), G::entry(), &|| params.clone().draw())
+    run(flight::request_uncached, params.record(), G::entry(), &|| params.clone().draw())
 }
 
 fn run(
-    request: fn(&Key, &'static Entry) -> Result<Turn>,
-    key: &Key,
+    request: fn(Record, &'static Entry) -> Result<Turn>,
+    mut key: Record,
     entry: &'static Entry,
     body: &Body<'_>,
 ) -> Result<Device> {
-    let draw = |drawing: Drawing| drawing.end(draw(entry, &key.record, body));
+    let draw = |drawing: Drawing| drawing.end(draw(entry, body));
     loop {
         match request(key, entry)? {
             Turn::Done(device) => return Ok(device),
             Turn::Draw(drawing) => return draw(drawing),
-            Turn::DrawApart(end) => {
-                let drawn = worker::apart(&|| draw(flight::start_apart(key, entry, &end)));
+            Turn::DrawApart(key, end) => {
+                let drawn = worker::apart(&|| draw(flight::start_apart(key.clone(), entry, &end)));
                 // It may be no circle at all, but without a thread there is no way to find out.
                 return drawn.unwrap_or_else(|| Err(Error::Circle { chain: vec![entry.name.to_owned(); 2] }));
             }
-            Turn::Again => {}
+            Turn::Again(same) => key = same,
         }
     }
 }
 
-fn draw(entry: &'static Entry, record: &Arc<Record>, body: &Body<'_>) -> Result<Device> {
-    entry.check_bounds(record)?;
-    let device = body().map_err(|error| match error.owner() {
+fn draw(entry: &'static Entry, body: &Body<'_>) -> Result<Device> {
+    stack::check_bounds()?;
+    body().map_err(|error| match error.owner() {
         Some(owner) if owner != entry.name => error.within(entry.name),
         _ => error,
-    })?;
-    let Entry { name: generator, module, version, .. } = *entry;
-    Ok(device.with_source(Source { generator, module, version, params: Arc::clone(record) }))
+    })
 }
 
 /// The unit of a parameter of the generator with this name, if this thread is just drawing it.
 pub(crate) fn unit_while_drawing(device: &str, param: &str) -> Option<&'static str> {
-    flight::search_own_stack(|entry| (entry.name == device).then_some(entry))?.unit(param)
+    stack::search(|entry| (entry.name == device).then_some(entry))?.unit(param)
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::{Generator, Reader, Record};
 use crate::error::Result;
 use crate::param::{Bounds, Kind, Param, Site, Value};
-use crate::scene::Device;
+use crate::scene::{Device, Source};
 
 /// A generator that is linked into the program.
 pub struct Entry {
@@ -175,9 +175,14 @@ impl Entry {
         self.rows.iter().find(|row| row.name == param).map(|row| row.unit)
     }
 
+    /// What a cell records that was drawn with these parameters.
+    pub(super) fn source(&self, params: Record) -> Source {
+        Source { generator: self.name, module: self.module, version: self.version, params }
+    }
+
     /// Refuses a number that is out of its bounds or not finite.
     pub(super) fn check_bounds(&self, record: &Record) -> Result<()> {
-        for (row, (_, value)) in self.rows.iter().zip(record) {
+        for (row, (_, value)) in self.rows.iter().zip(record.iter()) {
             let at = Site { device: self.name, place: row.name, unit: row.unit };
             row.bounds.check(at, row.kind, value)?;
         }

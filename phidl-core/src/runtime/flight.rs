@@ -1,8 +1,8 @@
 //! Cells that are being drawn: who draws what, and who waits for whom.
 //!
-//! Every thread has a stack of the bodies it runs, and waits for at most one cell of another thread. A thread that is
+//! Every thread has a [stack] of the bodies it runs, and waits for at most one cell of another thread. A thread that is
 //! about to wait first follows the waiting from owner to owner; if the way leads back to itself, the generators need
-//! each other in a circle, and waiting would never end.
+//! each other in a circle, and waiting would never end. A cell that nobody else will get is not in the tables here.
 //!
 //! A worker of rayon is different (feature `parallel`): while a body on it waits for a parallel loop of its own, the
 //! worker may take up an unrelated job that asks for the very cell the body is drawing. That is no circle of
@@ -18,25 +18,27 @@ use std::thread::{self, ThreadId};
 
 use rustc_hash::FxBuildHasher;
 
-use super::Entry;
 use super::cache::{State, lock};
-use super::key::Key;
-use super::worker;
+use super::stack::{self, Frame};
+use super::{Entry, Record, worker};
 use crate::error::{Error, Result};
 use crate::scene::Device;
 
-/// So many threads may be known that draw nothing.
-const IDLE_STACKS: usize = 64;
-
-/// All cells that are being drawn.
+/// The cells that are being drawn for others, too.
 #[derive(Default)]
 pub(super) struct Flights {
-    /// Those that others wait for.
-    by_key: HashMap<Key, Arc<Flight>, FxBuildHasher>,
-    /// What each thread draws, outermost first.
-    stacks: HashMap<ThreadId, Vec<Frame>, FxBuildHasher>,
-    /// The cell that a thread waits for.
-    waiting: HashMap<ThreadId, Key, FxBuildHasher>,
+    /// Those that others may wait for.
+    by_key: HashMap<Record, Arc<Flight>, FxBuildHasher>,
+    /// What a thread waits for.
+    waiting: HashMap<ThreadId, Waiting, FxBuildHasher>,
+}
+
+/// A thread that waits.
+struct Waiting {
+    /// The cell it waits for.
+    wanted: Record,
+    /// What it draws meanwhile.
+    stack: Vec<Frame>,
 }
 
 /// A cell that others wait for.
@@ -49,12 +51,6 @@ pub(super) struct Flight {
     ended: Condvar,
 }
 
-/// A body that runs.
-struct Frame {
-    key: Key,
-    entry: &'static Entry,
-}
-
 /// What a call for a cell is to do.
 pub(super) enum Turn {
     /// Take the cell.
@@ -62,9 +58,9 @@ pub(super) enum Turn {
     /// Draw the cell.
     Draw(Drawing),
     /// Draw the cell on a thread of its own, with [`start_apart`]: here it is not clear whether it needs itself.
-    DrawApart(End),
+    DrawApart(Record, End),
     /// Ask again: the body panicked in the thread that was waited for.
-    Again,
+    Again(Record),
 }
 
 /// The way of the waiting, from the wanted cell on.
@@ -78,34 +74,36 @@ enum Way {
 }
 
 /// Asks for a cell, and waits if another thread is drawing it.
-pub(super) fn request(key: &Key, entry: &'static Entry) -> Result<Turn> {
+pub(super) fn request(key: Record, entry: &'static Entry) -> Result<Turn> {
     let mut state = lock();
-    if let Some(device) = state.hit(key) {
+    if let Some(device) = state.hit(&key) {
         return Ok(Turn::Done(device));
     }
-    let me = this_thread();
-    if let Some(chain) = state.flights.own_circle(me, key) {
-        return if worker::is_one() { Ok(Turn::DrawApart(End::Cache)) } else { Err(Error::Circle { chain }) };
+    if let Some(chain) = stack::circle(&key) {
+        return if worker::is_one() { Ok(Turn::DrawApart(key, End::Cache)) } else { Err(Error::Circle { chain }) };
     }
-    let Some(flight) = state.flights.by_key.get(key).cloned() else {
+    let me = this_thread();
+    let Some(flight) = state.flights.by_key.get(&key).cloned() else {
         state.stats.misses += 1;
         return Ok(Turn::Draw(state.flights.start(me, key, entry)));
     };
-    match state.flights.way(me, key) {
+    let waiting = Waiting { wanted: key.clone(), stack: stack::copy() };
+    match state.flights.way(me, &waiting) {
         Way::Circle(chain) => Err(Error::Circle { chain }),
         Way::Unclear => Ok(Turn::Draw(state.draw_again(key, entry))),
-        Way::Open => wait(state, me, key, &flight, entry),
+        Way::Open => wait(state, me, key, waiting, &flight, entry),
     }
 }
 
 fn wait(
     mut state: MutexGuard<'static, State>,
     me: ThreadId,
-    key: &Key,
+    key: Record,
+    waiting: Waiting,
     flight: &Flight,
     entry: &'static Entry,
 ) -> Result<Turn> {
-    state.flights.waiting.insert(me, key.clone());
+    state.flights.waiting.insert(me, waiting);
     let mut patient = true;
     while flight.outcome.get().is_none() && patient {
         (state, patient) = worker::wait(&flight.ended, state);
@@ -117,101 +115,58 @@ fn wait(
             Ok(Turn::Done(device.clone()))
         }
         Some(Some(Err(error))) => Err(error.clone()),
-        Some(None) => Ok(Turn::Again),
+        Some(None) => Ok(Turn::Again(key)),
         None => Ok(Turn::Draw(state.draw_again(key, entry))),
     }
 }
 
 /// Asks to draw a cell which nobody else will get.
-pub(super) fn request_uncached(key: &Key, entry: &'static Entry) -> Result<Turn> {
-    let me = this_thread();
-    let flights = &mut lock().flights;
-    if let Some(chain) = flights.own_circle(me, key) {
-        return if worker::is_one() { Ok(Turn::DrawApart(End::Nobody)) } else { Err(Error::Circle { chain }) };
+pub(super) fn request_uncached(key: Record, entry: &'static Entry) -> Result<Turn> {
+    match stack::circle(&key) {
+        None => Ok(Turn::Draw(Drawing::begin(key, entry, End::Nobody))),
+        Some(_) if worker::is_one() => Ok(Turn::DrawApart(key, End::Nobody)),
+        Some(chain) => Err(Error::Circle { chain }),
     }
-    Ok(Turn::Draw(flights.draw_alone(key, entry, End::Nobody)))
 }
 
 /// Starts to draw a cell that the thread which waits for this one is drawing already.
-pub(super) fn start_apart(key: &Key, entry: &'static Entry, end: &End) -> Drawing {
-    lock().flights.draw_alone(key, entry, end.clone())
-}
-
-/// What this thread is drawing, innermost first, until `find` has found something.
-pub(super) fn search_own_stack<T>(find: impl FnMut(&'static Entry) -> Option<T>) -> Option<T> {
-    let state = lock();
-    let stack = state.flights.stacks.get(&this_thread())?;
-    stack.iter().rev().map(|frame| frame.entry).find_map(find)
+pub(super) fn start_apart(key: Record, entry: &'static Entry, end: &End) -> Drawing {
+    Drawing::begin(key, entry, end.clone())
 }
 
 impl State {
     /// Draws a cell here that another thread is drawing, too: the one that is finished first is kept.
-    fn draw_again(&mut self, key: &Key, entry: &'static Entry) -> Drawing {
+    fn draw_again(&mut self, key: Record, entry: &'static Entry) -> Drawing {
         self.stats.misses += 1;
-        self.flights.draw_alone(key, entry, End::Cache)
+        Drawing::begin(key, entry, End::Cache)
     }
 }
 
 impl Flights {
-    /// Draws a cell that others may be drawing, too.
-    fn draw_alone(&mut self, key: &Key, entry: &'static Entry, end: End) -> Drawing {
-        self.push(this_thread(), key, entry);
-        Drawing { end: Some(end) }
-    }
-
-    fn start(&mut self, me: ThreadId, key: &Key, entry: &'static Entry) -> Drawing {
+    fn start(&mut self, me: ThreadId, key: Record, entry: &'static Entry) -> Drawing {
         let (outcome, ended) = (OnceLock::new(), Condvar::new());
         let flight = Arc::new(Flight { thread: me, on_worker: worker::is_one(), outcome, ended });
         self.by_key.insert(key.clone(), Arc::clone(&flight));
-        self.push(me, key, entry);
-        Drawing { end: Some(End::Waiting(flight)) }
+        Drawing::begin(key, entry, End::Waiting(flight))
     }
 
-    fn push(&mut self, me: ThreadId, key: &Key, entry: &'static Entry) {
-        self.stacks.entry(me).or_default().push(Frame { key: key.clone(), entry });
-    }
-
-    /// The names from a cell upwards, if this thread is drawing it.
-    fn own_circle(&self, me: ThreadId, key: &Key) -> Option<Vec<String>> {
-        let mut chain = self.names_from(me, key);
-        chain.push(chain.first()?.clone());
-        Some(chain)
-    }
-
-    /// What a thread draws, from a cell on.
-    fn names_from(&self, thread: ThreadId, key: &Key) -> Vec<String> {
-        let stack = self.stacks.get(&thread).map(Vec::as_slice).unwrap_or_default();
-        stack.iter().skip_while(|frame| frame.key != *key).map(|frame| frame.entry.name.to_owned()).collect()
-    }
-
-    /// Follows the waiting from a wanted cell on.
-    fn way(&self, me: ThreadId, wanted: &Key) -> Way {
+    /// Follows the waiting from the cell that this thread is about to wait for.
+    fn way(&self, me: ThreadId, own: &Waiting) -> Way {
         let (mut chain, mut clear) = (Vec::new(), !worker::is_one());
-        let mut key = wanted;
+        let mut key = &own.wanted;
         while let Some(flight) = self.by_key.get(key) {
-            chain.extend(self.names_from(flight.thread, key));
+            let back = flight.thread == me;
+            // Who does not wait is drawing, and will come to an end.
+            let Some(waiting) = (if back { Some(own) } else { self.waiting.get(&flight.thread) }) else { break };
+            chain.extend(stack::names_from(&waiting.stack, key));
             clear &= !flight.on_worker;
-            if flight.thread == me {
+            if back {
                 chain.extend(chain.first().cloned());
                 return if clear { Way::Circle(chain) } else { Way::Unclear };
             }
-            match self.waiting.get(&flight.thread) {
-                Some(next) => key = next,
-                None => return Way::Open,
-            }
+            key = &waiting.wanted;
         }
         Way::Open
-    }
-
-    /// Takes the innermost body from the stack of a thread.
-    fn pop(&mut self, thread: ThreadId) -> Option<Frame> {
-        let stack = self.stacks.get_mut(&thread)?;
-        let frame = stack.pop();
-        // A thread that drew one cell is likely to draw another.
-        if stack.is_empty() && self.stacks.len() > IDLE_STACKS {
-            self.stacks.remove(&thread);
-        }
-        frame
     }
 }
 
@@ -234,22 +189,26 @@ pub(super) enum End {
 }
 
 impl Drawing {
-    /// Ends the drawing: keeps the cell and gives it, or the failure, to those who wait.
+    fn begin(key: Record, entry: &'static Entry, end: End) -> Self {
+        stack::push(key, entry);
+        Self { end: Some(end) }
+    }
+
+    /// Ends the drawing: records in the cell who drew it, keeps it, and gives it, or the failure, to those who wait.
     ///
     /// Returns the cell that is kept, which is another one if somebody else was first.
     pub(super) fn end(mut self, result: Result<Device>) -> Result<Device> {
-        let end = self.end.take();
+        let (end, frame) = (self.end.take(), stack::pop());
+        let Frame { key, entry } = frame.expect("invariant: the body that ends is on the stack");
+        let signed = |record: Record| result.map(|device| device.with_source(entry.source(record)));
+        let Some(end @ (End::Cache | End::Waiting(_))) = end else { return signed(key) };
+        let result = signed(key.clone());
         let mut state = lock();
-        let frame = state.flights.pop(this_thread());
-        let (Some(Frame { key, .. }), Some(End::Cache | End::Waiting(_))) = (&frame, &end) else {
-            drop(state);
-            return result; // the frame goes without the lock
-        };
-        let result = result.map(|device| state.keep_first(key, device));
-        if let Some(End::Waiting(flight)) = end {
-            state.flights.land(key, &flight, Some(result.clone()));
+        let result = result.map(|device| state.keep_first(&key, device));
+        if let End::Waiting(flight) = end {
+            state.flights.land(&key, &flight, Some(result.clone()));
         }
-        drop(state);
+        drop(state); // the key goes without the lock
         result
     }
 }
@@ -257,15 +216,14 @@ impl Drawing {
 impl Drop for Drawing {
     fn drop(&mut self) {
         let Some(end) = self.end.take() else { return };
-        let mut state = lock();
-        if let (Some(frame), End::Waiting(flight)) = (state.flights.pop(this_thread()), end) {
-            state.flights.land(&frame.key, &flight, None);
+        if let (Some(frame), End::Waiting(flight)) = (stack::pop(), end) {
+            lock().flights.land(&frame.key, &flight, None);
         }
     }
 }
 
 impl Flights {
-    fn land(&mut self, key: &Key, flight: &Flight, outcome: Option<Result<Device>>) {
+    fn land(&mut self, key: &Record, flight: &Flight, outcome: Option<Result<Device>>) {
         self.by_key.remove(key);
         let fresh = flight.outcome.set(outcome);
         debug_assert!(fresh.is_ok(), "invariant: a flight ends with its drawing, once");

@@ -2,16 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use super::{Entry, Reader, draw};
+use super::{Entry, Reader, Record, draw};
 use crate::error::Result;
 use crate::param::Value;
 use crate::scene::Device;
-
-/// Every parameter of a generator as a plain value, by its registered name, in the generator's order.
-///
-/// The one walk over the parameters: the key of the cache, the [`Source`](crate::scene::Source) of the cell and what is
-/// written to JSON are all made of it, so they cannot drift apart.
-pub type Record = Vec<(&'static str, Value)>;
 
 /// The parameters of a generator, as `#[device]` declares them.
 ///

@@ -9,15 +9,17 @@ mod draw;
 mod entry;
 mod flight;
 mod generator;
-mod key;
 mod reader;
 mod recipe;
+mod record;
 pub mod registry;
+mod stack;
 mod worker;
 
 pub use entry::{Entry, ParamInfo, Redraw, Row};
-pub use generator::{Generator, Record};
+pub use generator::Generator;
 pub use reader::Reader;
 pub use recipe::Recipe;
+pub use record::Record;
 
 pub(crate) use draw::unit_while_drawing;

@@ -70,8 +70,7 @@ impl Recipe {
 
 impl<G: Generator> From<G> for Recipe {
     fn from(generator: G) -> Self {
-        let params = generator.record().into_iter().map(|(name, value)| (name.to_owned(), value)).collect();
-        Self { entry: G::entry(), params }
+        Self { entry: G::entry(), params: generator.record().by_name() }
     }
 }
 

@@ -3,14 +3,16 @@
 use std::collections::BTreeMap;
 use std::ops::{Index, IndexMut};
 
-use indexmap::map::Entry;
+use smol_str::SmolStr;
 
+use super::cell::Alias;
 use super::keys::Removals;
 use super::{
-    Cell, Device, Element, Group, Key, Label, LabelKey, Polygon, PolygonKey, PolygonView, Reference, ReferenceKey,
+    Cell, Device, Element, Group, Key, Label, LabelKey, OpenCell, Polygon, PolygonKey, PolygonView, Reference,
+    ReferenceKey,
 };
 use crate::error::{Error, Noun, Result};
-use crate::geom::{Outline, Point, Rect, Transform, all_finite};
+use crate::geom::{Outline, Point, Rect, Transform};
 use crate::layer::{Layer, Layers};
 use crate::param::Value;
 use crate::place::{Bounded, PlaceFault, Transformable};
@@ -45,7 +47,7 @@ use crate::port::Port;
 /// [`DeviceBuilder::reference`] and [`DeviceBuilder::get`] return an error instead.
 #[derive(Debug, Clone)]
 pub struct DeviceBuilder {
-    pub(crate) cell: Cell,
+    pub(crate) cell: OpenCell,
     pub(super) removed_references: Removals,
     pub(super) removed_polygons: Removals,
     pub(super) removed_labels: Removals,
@@ -63,14 +65,14 @@ pub trait Addable {
 
 impl DeviceBuilder {
     pub(crate) fn new(name: &str) -> Self {
-        let mut builder = Self::from_cell(Cell { name: name.to_owned(), ..Cell::default() });
+        let mut builder = Self::from_cell(Cell { name: SmolStr::new(name), ..Cell::default() });
         builder.check_name();
         builder
     }
 
     pub(crate) fn from_cell(cell: Cell) -> Self {
         Self {
-            cell,
+            cell: cell.into(),
             removed_references: Removals::default(),
             removed_polygons: Removals::default(),
             removed_labels: Removals::default(),
@@ -90,14 +92,13 @@ impl DeviceBuilder {
     /// An alias that is taken comes back as the error of the next fallible call.
     pub fn add_as(&mut self, alias: &str, reference: impl Into<Reference>) -> ReferenceKey {
         let key = self.add(reference.into());
-        if self.cell.aliases.contains_key(alias) {
+        let place = self.cell.references.len() - 1;
+        if self.cell.aliases.push(Alias { name: SmolStr::new(alias), place }).is_err() {
             self.keep(Error::Duplicate {
                 device: self.cell.name.as_str().into(),
                 kind: Noun::Alias,
                 name: alias.into(),
             });
-        } else {
-            self.cell.aliases.insert(alias.to_owned(), self.cell.references.len() - 1);
         }
         key
     }
@@ -108,20 +109,21 @@ impl DeviceBuilder {
     /// [`Error::TooFewPoints`], [`Error::NotFinite`]; and what was kept before.
     pub fn add_polygon(&mut self, outline: impl Outline, layers: impl Into<Layers>) -> Result<PolygonKey> {
         let layers = layers.into();
-        let first_place = self.cell.outlines.len();
+        let cell = &mut *self.cell;
+        let first_place = cell.outlines.len();
         let key = PolygonKey { first: self.removed_polygons.next_number(first_place), copies: layers.iter().len() };
         // Checked on the drawn points, so that the usual case costs neither a buffer of its own nor a second pass.
         let first = layers.as_slice().first().copied().unwrap_or_default();
-        let points = self.cell.outlines.push(outline, first);
-        let sound = points.len() >= 3 && all_finite(points);
+        let points = cell.outlines.push(outline, first);
+        let sound = points.len() >= 3 && Point::all_finite(points);
         if !sound {
-            let error = bad_outline(&self.cell.name, points);
-            self.cell.outlines.pop();
+            let error = bad_outline(&cell.name, points);
+            cell.outlines.pop();
             return Err(self.fault.take().map_or(error, |fault| *fault));
         }
         match layers.as_slice() {
-            [] => self.cell.outlines.pop(),
-            [_, others @ ..] => others.iter().for_each(|layer| self.cell.outlines.repeat(first_place, *layer)),
+            [] => cell.outlines.pop(),
+            [_, others @ ..] => others.iter().for_each(|layer| cell.outlines.repeat(first_place, *layer)),
         }
         self.report()?;
         Ok(key)
@@ -138,19 +140,20 @@ impl DeviceBuilder {
     /// # Errors
     /// [`Error::Duplicate`] if the name is taken, [`Error::NotFinite`] and [`Error::Refused`] for a port that cannot
     /// be; and what was kept before.
-    pub fn add_port(&mut self, name: impl Into<String>, port: impl Into<Port>) -> Result<&mut Self> {
-        let name = name.into();
+    pub fn add_port(&mut self, name: impl AsRef<str>, port: impl Into<Port>) -> Result<&mut Self> {
+        self.push_port(port.into().named(name))
+    }
+
+    fn push_port(&mut self, port: Port) -> Result<&mut Self> {
         self.report()?;
-        let port = port.into().named(name.clone());
         port.check(&self.cell.name)?;
-        match self.cell.ports.entry(name) {
-            Entry::Vacant(place) => place.insert(port),
-            Entry::Occupied(taken) => {
+        match self.cell.ports.push(port) {
+            Ok(()) => Ok(self),
+            Err(port) => {
                 let device = self.cell.name.as_str().into();
-                return Err(Error::Duplicate { device, kind: Noun::Port, name: taken.key().as_str().into() });
+                Err(Error::Duplicate { device, kind: Noun::Port, name: port.name().into() })
             }
-        };
-        Ok(self)
+        }
     }
 
     /// Adds the ports of a reference under their own names.
@@ -159,7 +162,7 @@ impl DeviceBuilder {
     /// As for [`DeviceBuilder::add_port`].
     pub fn add_ports(&mut self, ports: impl IntoIterator<Item = Port>) -> Result<&mut Self> {
         for port in ports {
-            self.add_port(port.name().to_owned(), port)?;
+            self.push_port(port)?;
         }
         Ok(self)
     }
@@ -203,8 +206,8 @@ impl DeviceBuilder {
     }
 
     /// Gives the cell another name. An empty one comes back as the error of the next fallible call.
-    pub fn rename(&mut self, name: impl Into<String>) -> &mut Self {
-        self.cell.name = name.into();
+    pub fn rename(&mut self, name: impl AsRef<str>) -> &mut Self {
+        self.cell.name = SmolStr::new(name);
         self.check_name();
         self
     }
@@ -219,7 +222,7 @@ impl DeviceBuilder {
 
     /// The ports of this cell, in the order in which they were added.
     pub fn ports(&self) -> impl ExactSizeIterator<Item = &Port> {
-        self.cell.ports.values()
+        self.cell.ports.iter()
     }
 
     /// The polygons of this cell itself, in the order in which they were added.
@@ -298,7 +301,7 @@ impl DeviceBuilder {
         self.report()?;
         self.check_contents()?;
         self.cell.outlines.shrink();
-        Ok(Device::from_cell(self.cell))
+        Ok(self.cell.finish())
     }
 
     /// Returns what was kept, if anything.
@@ -365,11 +368,11 @@ impl DeviceBuilder {
         let name = self.cell.name.as_str();
         self.cell.references.iter().try_for_each(|reference| reference.check(name))?;
         self.cell.labels.iter().try_for_each(|label| check_label(label, name))?;
-        self.cell.ports.values().try_for_each(|port| port.check(name))?;
+        self.cell.ports.iter().try_for_each(|port| port.check(name))?;
         // Only an overflow can bring a coordinate in here that is not finite; moves are checked where they are made.
         let points = self.cell.outlines.all_points();
-        let bad = if all_finite(points) { None } else { points.iter().find(|p| !p.is_finite()) };
-        match bad {
+        let lost = if Point::all_finite(points) { None } else { points.iter().find(|p| !p.is_finite()) };
+        match lost {
             None => Ok(()),
             Some(p) => Err(Error::NotFinite {
                 device: name.into(),

@@ -1,9 +1,10 @@
 //! [`Cell`]: what a cell holds, open or finished.
 
-use indexmap::IndexMap;
-use rustc_hash::FxBuildHasher;
 use std::collections::BTreeMap;
 
+use smol_str::SmolStr;
+
+use super::by_name::{ByName, Named};
 use super::outlines::Outlines;
 use super::{Label, Reference, Source};
 use crate::error::{Error, Noun, Result};
@@ -12,31 +13,42 @@ use crate::param::Value;
 use crate::place::{Bounded, Transformable};
 use crate::port::Port;
 
-/// Things with names, in the order in which they were added. Names come from the program itself: nobody makes them collide.
-pub(crate) type ByName<T> = IndexMap<String, T, FxBuildHasher>;
-
 /// The content of a cell. The builder edits it; the device shares it and adds what it remembers about it.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Cell {
-    pub(crate) name: String,
+    pub(crate) name: SmolStr,
     pub(crate) outlines: Outlines,
     pub(crate) references: Vec<Reference>,
     pub(crate) labels: Vec<Label>,
     pub(crate) ports: ByName<Port>,
-    /// Alias → place in `references`.
-    pub(crate) aliases: ByName<usize>,
+    pub(crate) aliases: ByName<Alias>,
     pub(crate) info: BTreeMap<String, Value>,
     pub(crate) source: Option<Source>,
 }
 
+/// A name for a reference.
+#[derive(Debug, Clone)]
+pub(crate) struct Alias {
+    pub(crate) name: SmolStr,
+    /// The place in `references`.
+    pub(crate) place: usize,
+}
+
+impl Named for Alias {
+    fn name(&self) -> &SmolStr {
+        &self.name
+    }
+}
+
 impl Cell {
     pub(crate) fn port(&self, name: &str) -> Result<&Port> {
-        self.ports.get(name).ok_or_else(|| self.unknown(Noun::Port, name, self.ports.keys()))
+        self.ports.get(name).ok_or_else(|| self.unknown(Noun::Port, name, self.ports.names()))
     }
 
     /// The place of the reference with this alias.
     pub(crate) fn alias(&self, alias: &str) -> Result<usize> {
-        self.aliases.get(alias).copied().ok_or_else(|| self.unknown(Noun::Alias, alias, self.aliases.keys()))
+        let found = self.aliases.get(alias).map(|alias| alias.place);
+        found.ok_or_else(|| self.unknown(Noun::Alias, alias, self.aliases.names()))
     }
 
     pub(crate) fn bbox(&self) -> Option<Rect> {
@@ -49,10 +61,11 @@ impl Cell {
         self.outlines.all_points_mut().iter_mut().for_each(|p| *p = matrix.apply(*p));
         self.references.iter_mut().for_each(|reference| reference.transform_mut(by));
         self.labels.iter_mut().for_each(|label| label.transform_mut(by));
-        self.ports.values_mut().for_each(|port| port.transform_mut(by));
+        self.ports.iter_mut().for_each(|port| port.transform_mut(by));
     }
 
-    pub(crate) fn unknown<'a>(&self, kind: Noun, name: &str, known: impl Iterator<Item = &'a String>) -> Error {
-        Error::Unknown { owner: self.name.as_str().into(), kind, name: name.into(), known: known.cloned().collect() }
+    pub(crate) fn unknown<'a>(&self, kind: Noun, name: &str, known: impl Iterator<Item = &'a str>) -> Error {
+        let known = known.map(str::to_owned).collect();
+        Error::Unknown { owner: self.name.as_str().into(), kind, name: name.into(), known }
     }
 }

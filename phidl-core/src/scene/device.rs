@@ -1,7 +1,9 @@
 //! [`Device`]: the finished cell.
 
 use std::collections::BTreeMap;
-use std::sync::{Arc, OnceLock};
+use std::sync::OnceLock;
+
+use triomphe::Arc;
 
 use super::{Array, Cell, DeviceBuilder, Label, PolygonView, Reference, Source};
 use crate::error::Result;
@@ -19,12 +21,19 @@ use crate::port::Port;
 #[derive(Clone)]
 pub struct Device(Arc<Finished>);
 
-struct Finished {
-    cell: Cell,
+/// A cell with room for what is remembered about it when it is finished.
+pub(super) struct Finished {
+    pub(super) cell: Cell,
     bbox: OnceLock<Option<Rect>>,
     hull: OnceLock<Box<[Point]>>,
     content: OnceLock<Digest>,
     drawing: OnceLock<Digest>,
+}
+
+impl Finished {
+    pub(super) fn new(cell: Cell) -> Self {
+        Self { cell, bbox: OnceLock::new(), hull: OnceLock::new(), content: OnceLock::new(), drawing: OnceLock::new() }
+    }
 }
 
 impl Device {
@@ -35,13 +44,11 @@ impl Device {
     }
 
     pub(crate) fn from_cell(cell: Cell) -> Self {
-        Self(Arc::new(Finished {
-            cell,
-            bbox: OnceLock::new(),
-            hull: OnceLock::new(),
-            content: OnceLock::new(),
-            drawing: OnceLock::new(),
-        }))
+        Self(Arc::new(Finished::new(cell)))
+    }
+
+    pub(super) fn of(finished: Arc<Finished>) -> Self {
+        Self(finished)
     }
 
     /// Opens a copy of this cell. The copy keeps the name, and forgets the generator that drew the original.
@@ -96,7 +103,7 @@ impl Device {
 
     /// The ports, in the order in which they were added.
     pub fn ports(&self) -> impl ExactSizeIterator<Item = &Port> {
-        self.cell().ports.values()
+        self.cell().ports.iter()
     }
 
     /// The reference under an alias.
@@ -109,7 +116,7 @@ impl Device {
 
     /// The aliases with their references, in the order in which they were added.
     pub fn aliases(&self) -> impl ExactSizeIterator<Item = (&str, &Reference)> {
-        self.cell().aliases.iter().map(|(alias, place)| (alias.as_str(), &self.cell().references[*place]))
+        self.cell().aliases.iter().map(|alias| (alias.name.as_str(), &self.cell().references[alias.place]))
     }
 
     /// The polygons of this cell itself, in the order in which they were added. For those of the whole hierarchy see
@@ -276,8 +283,8 @@ impl std::fmt::Display for Device {
             f,
             "Device (name {:?}, ports {:?}, aliases {:?}, {} polygons, {} references)",
             cell.name,
-            cell.ports.keys().collect::<Vec<_>>(),
-            cell.aliases.keys().collect::<Vec<_>>(),
+            cell.ports.names().collect::<Vec<_>>(),
+            cell.aliases.names().collect::<Vec<_>>(),
             cell.outlines.len(),
             cell.references.len()
         )

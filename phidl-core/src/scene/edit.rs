@@ -54,10 +54,9 @@ impl DeviceBuilder {
     /// # Errors
     /// [`Error::Unknown`] with the names that are there.
     pub fn remove_port(&mut self, name: &str) -> Result<&mut Self> {
-        match self.cell.ports.shift_remove(name) {
-            Some(_) => Ok(self),
-            None => Err(self.cell.unknown(Noun::Port, name, self.cell.ports.keys())),
-        }
+        self.cell.port(name)?;
+        self.cell.ports.retain(|port| port.name() != name);
+        Ok(self)
     }
 
     /// Gives a port another name and keeps its place among the others.
@@ -65,14 +64,13 @@ impl DeviceBuilder {
     /// # Errors
     /// [`Error::Unknown`] with the names that are there, [`Error::Duplicate`] if the new name is taken.
     pub fn rename_port(&mut self, name: &str, new: &str) -> Result<&mut Self> {
-        if new != name && self.cell.ports.contains_key(new) {
+        if new != name && self.cell.ports.place(new).is_some() {
             let device = self.cell.name.as_str().into();
             return Err(Error::Duplicate { device, kind: Noun::Port, name: new.into() });
         }
         let port = self.cell.port(name)?.clone().named(new);
-        if let Some(place) = self.cell.ports.get_index_of(name) {
-            self.cell.ports.shift_remove_index(place);
-            self.cell.ports.shift_insert(place, new.to_owned(), port);
+        if let Some(place) = self.cell.ports.place(name) {
+            self.cell.ports.replace(place, port);
         }
         Ok(self)
     }
@@ -112,7 +110,7 @@ impl DeviceBuilder {
     pub fn absorb(&mut self, key: ReferenceKey) -> Result<&mut Self> {
         let reference = self.reference(key)?.clone();
         reference.check(&self.cell.name)?;
-        let lone = Cell { name: "absorbed".to_owned(), references: vec![reference], ..Cell::default() };
+        let lone = Cell { name: "absorbed".into(), references: vec![reference], ..Cell::default() };
         let lone = Device::from_cell(lone);
         all_outlines(&lone).iter().for_each(|polygon| self.cell.outlines.push_view(polygon));
         self.cell.labels.extend(all_labels(&lone));
@@ -130,9 +128,9 @@ impl DeviceBuilder {
         if self.cell.references.is_empty() {
             return self;
         }
-        let hierarchy = Device::from_cell(std::mem::take(&mut self.cell));
+        let hierarchy = Device::from_cell(std::mem::take(&mut *self.cell));
         let cell = hierarchy.cell();
-        self.cell = Cell {
+        *self.cell = Cell {
             name: cell.name.clone(),
             outlines: all_outlines(&hierarchy),
             labels: all_labels(&hierarchy),
@@ -214,8 +212,8 @@ impl DeviceBuilder {
     }
 
     fn drop_aliases_of(&mut self, removed: usize) {
-        self.cell.aliases.retain(|_, place| *place != removed);
-        self.cell.aliases.values_mut().filter(|place| **place > removed).for_each(|place| *place -= 1);
+        self.cell.aliases.retain(|alias| alias.place != removed);
+        self.cell.aliases.iter_mut().filter(|alias| alias.place > removed).for_each(|alias| alias.place -= 1);
     }
 }
 

@@ -23,7 +23,7 @@ impl Device {
     pub fn flattened(&self) -> Self {
         let mut cell = self.edit();
         cell.flatten();
-        Self::from_cell(cell.cell)
+        cell.cell.finish()
     }
 
     /// How many polygons and points are drawn in this cell and below it.

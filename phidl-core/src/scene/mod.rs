@@ -6,6 +6,7 @@
 
 mod arrange_members;
 mod builder;
+mod by_name;
 mod cell;
 mod device;
 mod edit;
@@ -13,6 +14,7 @@ mod flatten;
 mod group;
 mod keys;
 mod label;
+mod open;
 mod outlines;
 #[cfg(feature = "parallel")]
 mod parallel;
@@ -36,3 +38,4 @@ pub use source::Source;
 pub use walk::{FlatPolygon, FlatPolygons, Instance, Instances};
 
 pub(crate) use cell::Cell;
+use open::OpenCell;

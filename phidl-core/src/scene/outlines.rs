@@ -171,10 +171,12 @@ impl Outlines {
 
     /// Gives back memory that growing left over, where it is much.
     pub(crate) fn shrink(&mut self) {
-        if self.points.capacity() > 2 * self.points.len() {
+        /// Room for so many things costs less than another allocation.
+        const LITTLE: usize = 16;
+        if self.points.capacity() > 2 * self.points.len() + LITTLE {
             self.points.shrink_to_fit();
         }
-        if self.spans.capacity() > 2 * self.spans.len() {
+        if self.spans.capacity() > 2 * self.spans.len() + LITTLE {
             self.spans.shrink_to_fit();
         }
     }

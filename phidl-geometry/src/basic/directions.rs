@@ -1,5 +1,6 @@
 //! Unit vectors evenly around a turn: what circles, ellipses and rings are made of.
 
+use phidl_core::num::angle::directions;
 use phidl_core::prelude::*;
 
 /// The directions of the corners of a regular polygon, from the x axis counter-clockwise once around; the last is the
@@ -8,10 +9,9 @@ use phidl_core::prelude::*;
 /// Where four chords make a quarter turn, only the first quarter is computed and turned, which is exact: such a circle is
 /// symmetric to the last bit, and costs a quarter.
 pub(super) fn around(chords: usize) -> Vec<Point> {
-    let at = |i: usize| Point::polar(1.0, 360.0 * i as f64 / chords as f64);
     let computed = if chords.is_multiple_of(4) { chords / 4 } else { chords };
-    let mut directions = Vec::with_capacity(chords + 1);
-    directions.extend((0..computed).map(at));
+    let mut directions = directions((0..computed).map(|i| 360.0 * i as f64 / chords as f64));
+    directions.reserve_exact(chords + 1 - computed);
     while directions.len() < chords {
         let quarter = directions.len() - computed..directions.len();
         directions.extend_from_within(quarter.clone());

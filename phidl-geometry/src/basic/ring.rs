@@ -1,5 +1,6 @@
 //! Rings and parts of rings: [`ring`] and [`arc`].
 
+use phidl_core::num::angle::directions;
 use phidl_core::num::count::{self, linspace};
 use phidl_core::param::Check;
 use phidl_core::prelude::*;
@@ -151,8 +152,7 @@ pub(super) fn open_arc(
     let end_angle = start_angle + theta;
     let out = 90.0 * theta.signum();
     let mut d = Device::builder("arc");
-    let directions: Vec<Point> =
-        linspace(start_angle, end_angle, points).map(|angle| Point::polar(1.0, angle)).collect();
+    let directions = directions(linspace(start_angle, end_angle, points));
     d.add_polygon(band(center, radius, width, &directions), layer)?;
     d.add_port("1", (center + Point::polar(radius, start_angle), width, start_angle - out))?;
     d.add_port("2", (center + Point::polar(radius, end_angle), width, end_angle + out))?;

@@ -38,7 +38,8 @@ pub fn connector(
 ) -> Result<Device> {
     let port = Port::new(midpoint, width, orientation);
     let mut d = Device::builder("connector");
-    d.add_port("1", port.clone())?;
-    d.add_port("2", port.flipped())?;
+    let back = port.flipped();
+    d.add_port("1", port)?;
+    d.add_port("2", back)?;
     d.build()
 }

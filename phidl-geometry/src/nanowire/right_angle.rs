@@ -60,11 +60,10 @@ pub fn optimal_90deg(
 
 /// The inner edge, from the lead along x to the upright one.
 pub(super) fn inner_edge(width: f64, points: usize, length_adjust: f64) -> Vec<Point> {
-    let away = |v: f64| width * (1.0 + 2.0 / PI * v.asinh());
-    linspace(-length_adjust, length_adjust, points)
-        .map(|exponent| 10.0_f64.powf(exponent))
-        .map(|v| Point::new(away(1.0 / v), away(v)))
-        .collect()
+    let away = |exponent: f64| width * (1.0 + 2.0 / PI * 10.0_f64.powf(exponent).asinh());
+    // The exponents are those of 1/v backwards, so each distance is that of two points.
+    let away: Vec<f64> = linspace(-length_adjust, length_adjust, points).map(away).collect();
+    away.iter().rev().zip(&away).map(|(x, y)| Point::new(*x, *y)).collect()
 }
 
 /// How far the leads reach from the outer corner.
@@ -90,7 +89,11 @@ mod tests {
         fn bends_are_symmetric_about_the_diagonal(width in 0.05..100.0_f64, n in 2..60_usize, adjust in 0.1..4.0_f64) {
             let edge = inner_edge(width, n, adjust);
             for (p, q) in edge.iter().zip(edge.iter().rev()) {
-                prop_assert!(p.distance(Point::new(q.y, q.x)) < 1e-9 * width);
+                prop_assert_eq!(*p, Point::new(q.y, q.x));
+            }
+            for (p, exponent) in edge.iter().zip(linspace(-adjust, adjust, n)) {
+                let x = width * (1.0 + 2.0 / PI * (1.0 / 10.0_f64.powf(exponent)).asinh());
+                prop_assert!((p.x - x).abs() < 1e-12 * width);
             }
             prop_assert!(edge.iter().all(|p| p.x > width && p.y > width), "nowhere narrower than the leads");
             let d = optimal_90deg(width, n, adjust, 0).unwrap();

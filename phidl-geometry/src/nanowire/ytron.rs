@@ -1,5 +1,6 @@
 //! [`ytron_round`].
 
+use phidl_core::num::angle::directions;
 use phidl_core::num::count::{self, linspace};
 use phidl_core::param::{Check, Kind, Mismatch, Param};
 use phidl_core::prelude::*;
@@ -162,7 +163,7 @@ fn tip(rho: f64, theta: f64, resolution: f64) -> Result<Vec<Point>> {
     let points = count::up(steps.floor()) + 2;
     Check::device("ytron_round").unit("").at_most("number of points", points, count::MOST - 16)?;
     let angles = linspace(-(180.0 - theta), -theta, points);
-    Ok(angles.map(|angle| Point::polar(rho, angle) + Point::new(0.0, rho)).collect())
+    Ok(directions(angles).into_iter().map(|direction| direction * rho + Point::new(0.0, rho)).collect())
 }
 
 #[cfg(test)]

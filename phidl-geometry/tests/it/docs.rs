@@ -1,6 +1,5 @@
 //! What the documentation of every shape must say, as far as a program can tell.
 
-use std::collections::BTreeMap;
 use std::path::Path;
 
 use phidl_core::param::Kind;
@@ -47,9 +46,7 @@ fn section<'a>(docs: &'a str, heading: &str) -> Option<&'a str> {
 }
 
 fn example(entry: &'static Entry) -> Device {
-    let params: BTreeMap<String, Value> =
-        entry.example().unwrap().into_iter().map(|(name, value)| (name.to_owned(), value)).collect();
-    entry.build(&params).unwrap()
+    entry.build(&entry.example().unwrap().by_name()).unwrap()
 }
 
 #[test]

@@ -208,16 +208,16 @@ fn no_number_makes_a_shape_panic() {
     ];
     for shape in shapes {
         let entry = registry::find(shape).unwrap();
-        for (name, value) in entry.example().unwrap() {
+        let example = entry.example().unwrap();
+        for (name, value) in example.iter() {
             for wild in WILD {
-                let spoiled = match &value {
+                let spoiled = match value {
                     Value::List(list) => Value::List(list.iter().map(|_| Value::from(wild)).collect()),
                     Value::Int(_) | Value::Float(_) => Value::from(wild),
                     _ => continue,
                 };
-                let mut params: BTreeMap<String, Value> =
-                    entry.example().unwrap().into_iter().map(|(name, value)| (name.to_owned(), value)).collect();
-                params.insert(name.to_owned(), spoiled);
+                let mut params = example.by_name();
+                params.insert((*name).to_owned(), spoiled);
                 // Drawn or refused; not a panic, and nothing that is not finite.
                 if let Ok(device) = entry.build(&params) {
                     assert!(

@@ -74,8 +74,8 @@ fn every_shape_of_the_library_is_registered_and_draws_its_example() {
     assert_eq!(names, expected);
     for entry in registry::all() {
         let example = entry.example().unwrap_or_else(|error| panic!("{}: {}", entry.name, error.in_full()));
-        let params = example.into_iter().map(|(name, value)| (name.to_owned(), value)).collect();
-        let device = entry.build(&params).unwrap_or_else(|error| panic!("{}: {}", entry.name, error.in_full()));
+        let device =
+            entry.build(&example.by_name()).unwrap_or_else(|error| panic!("{}: {}", entry.name, error.in_full()));
         assert!(!device.is_empty() || device.ports().len() > 0, "{}", entry.name);
     }
 }

@@ -186,7 +186,7 @@ mod tests {
             generator,
             module: "m",
             version: "1",
-            params: vec![("radius", radius.into()), ("width", 0.5.into()), ("layer", layer.into())].into(),
+            params: [("radius", radius.into()), ("width", 0.5.into()), ("layer", layer.into())].into(),
         };
         let (a, b, c) = (source("ring", 12.5, 1), source("ring", -3.0, 1), source("ring", 12.5, 2));
         assert_eq!(by_parameters("ring", &a, &[&a, &b]).unwrap(), "ring_radius12p5");

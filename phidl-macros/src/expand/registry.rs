@@ -73,7 +73,7 @@ fn record(generator: &Generator) -> TokenStream {
     });
     quote! {
         fn record(&self) -> ::phidl_core::__private::Record {
-            ::std::vec![#(#entries),*]
+            ::phidl_core::__private::Record::of::<Self, _>([#(#entries),*])
         }
     }
 }

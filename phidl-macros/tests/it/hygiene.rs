@@ -36,7 +36,7 @@ fn parameters_may_have_any_name() {
     let plain = AwkwardParams::default();
     assert_eq!(plain.build().unwrap().name(), "awkward_78");
     assert_eq!(plain.clone().r#type(12).build().unwrap().name(), "awkward_79");
-    let names: Vec<_> = plain.record().into_iter().map(|(name, _)| name).collect();
+    let names: Vec<_> = plain.record().iter().map(|(name, _)| *name).collect();
     assert!(names.contains(&"type"), "{names:?}");
     assert_eq!(AwkwardParams { build: 3.0, ..plain }.build().unwrap().name(), "awkward_79");
 }

@@ -137,7 +137,7 @@ fn what_json_gets_wrong_is_named() {
 
 #[test]
 fn the_example_is_what_galleries_draw() {
-    let example: BTreeMap<_, _> = entry().example().unwrap().into_iter().collect();
+    let example = entry().example().unwrap().by_name();
     assert_eq!((&example["text"], &example["Lk_per_sq"]), (&Value::from("x"), &Value::from(3.0)));
 }
 
@@ -198,7 +198,6 @@ fn the_list_is_sorted_and_every_example_that_can_be_drawn_comes_from_its_values(
     assert!(names.is_sorted() && names.len() > 20, "{names:?}");
     for entry in registry::all() {
         let Ok(example) = entry.example() else { continue };
-        let params = example.iter().map(|(name, value)| ((*name).to_owned(), value.clone())).collect();
-        assert_eq!(entry.record(&params).unwrap(), example, "{}", entry.name);
+        assert_eq!(entry.record(&example.by_name()).unwrap(), example, "{}", entry.name);
     }
 }

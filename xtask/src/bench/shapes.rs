@@ -1,11 +1,8 @@
 //! Every registered shape beside PHIDL.
 
-use std::collections::BTreeMap;
-
 use anyhow::Context;
-use phidl_core::param::Value;
 use phidl_core::registry;
-use phidl_core::runtime::{Entry, Record, cache};
+use phidl_core::runtime::{Entry, cache};
 use serde_json::{Value as Json, json};
 
 use super::table::{Section, Times};
@@ -25,16 +22,12 @@ pub(super) fn measure(sitting: &Sitting<'_>) -> anyhow::Result<Section> {
     cache::set_limit(0);
     let mut section = Section::new("Shapes", NOTES, &["PHIDL"]);
     for entry in entries {
-        let draw = entry.redraw(&by_name(entry.example()?))?;
+        let draw = entry.redraw(&entry.example()?.by_name())?;
         draw().map_err(crate::in_full)?;
         section.add(format!("`{}`", entry.name), clock::best(&draw), &peers, entry.name);
     }
     cache::set_limit(cache::DEFAULT_LIMIT);
     Ok(section)
-}
-
-fn by_name(record: Record) -> BTreeMap<String, Value> {
-    record.into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
 }
 
 /// PHIDL's times for the same shapes, with those parameters that differ from the defaults.
@@ -47,9 +40,9 @@ fn peers(sitting: &Sitting<'_>, entries: &[&'static Entry]) -> anyhow::Result<Ti
 
 fn job(entry: &'static Entry) -> anyhow::Result<Json> {
     let mut params = serde_json::Map::new();
-    for (info, (name, value)) in entry.params().into_iter().zip(entry.example()?) {
-        if info.default.as_ref() != Some(&value) {
-            params.insert(name.to_owned(), json!({ "kind": info.kind.to_string(), "value": value }));
+    for (info, (name, value)) in entry.params().into_iter().zip(entry.example()?.iter()) {
+        if info.default.as_ref() != Some(value) {
+            params.insert((*name).to_owned(), json!({ "kind": info.kind.to_string(), "value": value }));
         }
     }
     Ok(json!({ "device": entry.name, "params": params }))

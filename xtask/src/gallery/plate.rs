@@ -41,10 +41,8 @@ pub(crate) fn all(mut begin: impl FnMut(&str)) -> anyhow::Result<Vec<Plate>> {
 }
 
 fn plate(entry: &'static Entry) -> anyhow::Result<Plate> {
-    let params: Vec<(&str, Value)> = entry.example().map_err(crate::in_full)?;
-    let device = entry
-        .build(&params.iter().map(|(name, value)| ((*name).to_owned(), value.clone())).collect())
-        .map_err(crate::in_full)?;
+    let params = entry.example().map_err(crate::in_full)?;
+    let device = entry.build(&params.by_name()).map_err(crate::in_full)?;
     let mut options = figure_options(&device)?;
     if SHOW_SOURCES.iter().any(|family| entry.module.starts_with(family)) {
         params.iter().for_each(|(_, value)| devices_in(value, &mut options.sources));

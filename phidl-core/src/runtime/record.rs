@@ -1,0 +1,92 @@
+//! [`Record`]: the parameters of a call as plain values, and which generator with which parameters it is.
+
+use std::any::TypeId;
+use std::collections::BTreeMap;
+use std::hash::{BuildHasher, Hash, Hasher};
+use std::ops::Deref;
+
+use rustc_hash::FxBuildHasher;
+use triomphe::ThinArc;
+
+use super::Generator;
+use crate::param::Value;
+
+/// Every parameter of a generator as a plain value, by its registered name, in the generator's order.
+///
+/// The one walk over the parameters: the key of the cache, the [`Source`](crate::scene::Source) of the cell and what is
+/// written to JSON are all made of it, so they cannot drift apart. A clone shares it. Records are equal if they are of
+/// the same generator and hold equal values, floats by their bits.
+#[derive(Clone)]
+pub struct Record(ThinArc<Call, (&'static str, Value)>);
+
+/// What a record is looked up by: computed once, before the lock of the cache is taken.
+struct Call {
+    generator: TypeId,
+    hash: u64,
+}
+
+impl Record {
+    /// The record of a generator. (Generated code makes it.)
+    #[doc(hidden)]
+    #[must_use]
+    pub fn of<G: Generator, const N: usize>(mut params: [(&'static str, Value); N]) -> Self {
+        Self::new(TypeId::of::<G>(), &mut params)
+    }
+
+    fn new(generator: TypeId, params: &mut [(&'static str, Value)]) -> Self {
+        let mut hasher = FxBuildHasher.build_hasher();
+        generator.hash(&mut hasher);
+        params.iter().for_each(|(_, value)| value.hash(&mut hasher));
+        let call = Call { generator, hash: hasher.finish() };
+        // One by one out of the caller's array, which as a whole would be moved twice on the way.
+        let params = params.iter_mut().map(|(name, value)| (*name, std::mem::replace(value, Value::Null)));
+        Self(ThinArc::from_header_and_iter(call, params))
+    }
+
+    /// The parameters as they are given to [`Entry::build`](super::Entry::build).
+    #[must_use]
+    pub fn by_name(&self) -> BTreeMap<String, Value> {
+        self.iter().map(|(name, value)| ((*name).to_owned(), value.clone())).collect()
+    }
+
+    fn call(&self) -> &Call {
+        &self.0.header.header
+    }
+}
+
+impl<const N: usize> From<[(&'static str, Value); N]> for Record {
+    /// A record of no generator.
+    fn from(mut params: [(&'static str, Value); N]) -> Self {
+        Self::new(TypeId::of::<()>(), &mut params)
+    }
+}
+
+impl Deref for Record {
+    type Target = [(&'static str, Value)];
+
+    fn deref(&self) -> &Self::Target {
+        &self.0.slice
+    }
+}
+
+impl PartialEq for Record {
+    fn eq(&self, other: &Self) -> bool {
+        let (a, b) = (self.call(), other.call());
+        let values = || self.iter().zip(other.iter()).all(|((_, a), (_, b))| a == b);
+        a.hash == b.hash && a.generator == b.generator && values()
+    }
+}
+
+impl Eq for Record {}
+
+impl Hash for Record {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.call().hash.hash(state);
+    }
+}
+
+impl std::fmt::Debug for Record {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_map().entries(self.iter().map(|(name, value)| (name, value))).finish()
+    }
+}
