@@ -57,9 +57,15 @@ impl Contours {
 
     /// Appends all contours of `other`.
     pub fn append(&mut self, other: &Self) {
+        self.push_part(&other.points, &other.ends);
+    }
+
+    /// Appends points, among which contours end after so many points each. What is left over begins a contour that the
+    /// next part ends.
+    pub(crate) fn push_part(&mut self, points: &[GridPoint], ends: &[usize]) {
         let base = self.points.len();
-        self.points.extend_from_slice(&other.points);
-        self.ends.extend(other.ends.iter().map(|end| base + end));
+        self.points.extend_from_slice(points);
+        self.ends.extend(ends.iter().map(|end| base + end));
     }
 
     /// Number of contours.

@@ -216,45 +216,51 @@ fn run_between(a: GridPoint, b: GridPoint) -> Run {
 /// The outlines with each edge moved by `distance` to its outside, and joined at the corners.
 fn moved_outlines(outlines: &Contours, distance: f64, join: Join) -> Contours {
     // A merged layer may be one outline of a million corners, so stretches are moved in parallel, not outlines.
-    let stretches: Vec<(&[GridPoint], Range<usize>)> = outlines.iter().flat_map(stretches).collect();
-    let moved: Vec<Vec<GridPoint>> = stretches
-        .par_iter()
-        .with_min_len(per_job(stretches.len(), outlines.point_count()))
-        .map(|(outline, corners)| moved_stretch(outline, corners.clone(), distance, join))
+    let stretches: Vec<Stretch> = outlines.iter().flat_map(stretches).collect();
+    let parts: Vec<(Vec<GridPoint>, Vec<usize>)> = stretches
+        .par_chunks(per_job(stretches.len(), outlines.point_count()))
+        .map(|stretches| moved_part(stretches, distance, join))
         .collect();
-    let mut all = Contours::with_capacity(outlines.len(), moved.iter().map(Vec::len).sum());
-    let mut parts = moved.iter();
-    for outline in outlines.iter() {
-        all.push(parts.by_ref().take(stretches_of(outline)).flatten().copied());
-    }
+    let mut all = Contours::with_capacity(outlines.len(), parts.iter().map(|(points, _)| points.len()).sum());
+    parts.iter().for_each(|(points, ends)| all.push_part(points, ends));
     all
 }
 
-fn stretches_of(outline: &[GridPoint]) -> usize {
-    outline.len().div_ceil(STRETCH)
+/// Some corners of an outline, one after the other.
+type Stretch<'a> = (&'a [GridPoint], Range<usize>);
+
+fn stretches(outline: &[GridPoint]) -> impl Iterator<Item = Stretch<'_>> {
+    let corners = |first: usize| first..(first + STRETCH).min(outline.len());
+    (0..outline.len()).step_by(STRETCH).map(move |first| (outline, corners(first)))
 }
 
-fn stretches(outline: &[GridPoint]) -> impl Iterator<Item = (&[GridPoint], Range<usize>)> {
-    let corners = |stretch: usize| stretch * STRETCH..((stretch + 1) * STRETCH).min(outline.len());
-    (0..stretches_of(outline)).map(move |stretch| (outline, corners(stretch)))
+/// What moving makes of some stretches, and where outlines end in it.
+fn moved_part(stretches: &[Stretch], distance: f64, join: Join) -> (Vec<GridPoint>, Vec<usize>) {
+    let corners: usize = stretches.iter().map(|(_, corners)| corners.len()).sum();
+    let (mut points, mut ends) = (Vec::with_capacity(corners + corners / 4), Vec::with_capacity(stretches.len()));
+    for (outline, corners) in stretches {
+        move_stretch(outline, corners.clone(), distance, join, &mut points);
+        if corners.end == outline.len() {
+            ends.push(points.len());
+        }
+    }
+    (points, ends)
 }
 
-/// What moving an outline makes of some of its corners.
-fn moved_stretch(outline: &[GridPoint], corners: Range<usize>, distance: f64, join: Join) -> Vec<GridPoint> {
+/// Draws what moving an outline makes of some of its corners.
+fn move_stretch(outline: &[GridPoint], corners: Range<usize>, distance: f64, join: Join, moved: &mut Vec<GridPoint>) {
     let n = outline.len();
     let at = |i: usize| outline[i % n];
     let first = corners.start + n;
     let run = |i: usize| run_between(at(i), at(i + 1));
-    let mut moved = Vec::with_capacity(corners.len() + corners.len() / 4);
     let mut previous = Corner::new(at(first - 1), run(first - 2), run(first - 1), distance);
     let mut corner = Corner::new(at(first), previous.after, run(first), distance);
     for i in corners {
         let next = Corner::new(at(i + 1), corner.after, run(i + 1), distance);
         let keep_their_edges = previous.leaves_some_of(&corner) && corner.leaves_some_of(&next);
-        corner.draw(keep_their_edges, join, &mut moved);
+        corner.draw(keep_their_edges, join, moved);
         (previous, corner) = (corner, next);
     }
-    moved
 }
 
 /// A corner of an outline between two edges.
@@ -464,7 +470,8 @@ mod tests {
         let comb: Vec<GridPoint> =
             (0..3000i64).map(|i| GridPoint::new(10 * i, if i % 4 < 2 { 0 } else { 50 + i % 7 })).collect();
         for distance in [-4.0, 2.5, 40.0] {
-            let whole = moved_stretch(&comb, 0..comb.len(), distance, Join::default());
+            let mut whole = Vec::new();
+            move_stretch(&comb, 0..comb.len(), distance, Join::default(), &mut whole);
             let outlines: Contours = [comb.clone()].into_iter().collect();
             let moved = moved_outlines(&outlines, distance, Join::default());
             assert_eq!(moved.iter().collect::<Vec<_>>(), [whole.as_slice()]);

@@ -136,9 +136,27 @@ impl Names {
         names
     }
 
+    /// The boundary edge that follows each.
+    fn following(&self, strips: &[Swept]) -> Vec<u32> {
+        let mut next = vec![UNKNOWN; self.total];
+        for (strip, swept) in strips.iter().enumerate() {
+            for &(edge, following) in &swept.follows {
+                next[self.number(strip, edge) as usize] = self.number(strip, following);
+            }
+        }
+        next
+    }
+
     fn number(&self, strip: usize, name: Name) -> u32 {
         if name & SPAN == 0 { self.bases[strip] + name } else { self.spans[(name & !SPAN) as usize] }
     }
+}
+
+/// Where each boundary edge starts.
+fn begins(strips: &[Swept], edges: usize) -> Vec<GridPoint> {
+    let mut from = Vec::with_capacity(edges);
+    strips.iter().for_each(|strip| from.extend_from_slice(&strip.from));
+    from
 }
 
 /// Closed outlines in the order of their leftmost points, which is where each begins.
@@ -151,13 +169,7 @@ struct Outlines {
 
 impl Outlines {
     fn follow(strips: &[Swept], names: &Names) -> Self {
-        let mut next = vec![UNKNOWN; names.total];
-        for (strip, swept) in strips.iter().enumerate() {
-            for &(edge, following) in &swept.follows {
-                next[names.number(strip, edge) as usize] = names.number(strip, following);
-            }
-        }
-        let from: Vec<GridPoint> = strips.iter().flat_map(|strip| strip.from.iter().copied()).collect();
+        let (next, from) = rayon::join(|| names.following(strips), || begins(strips, names.total));
         let mut outlines = Self {
             contours: Contours::with_capacity(0, names.total),
             first_edges: Vec::new(),
