@@ -1,6 +1,9 @@
 //! How an operation is run. None of these options changes the result.
 
 use std::fmt;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use rayon::ThreadPool;
 
 use crate::{error::BooleanError, progress::Watch};
 
@@ -9,7 +12,7 @@ use crate::{error::BooleanError, progress::Watch};
 const STRIP_VERTICES: usize = 8_000;
 
 /// Vertices per strip at least where there are few.
-const FEWEST_STRIP_VERTICES: usize = 2_000;
+const FEWEST_STRIP_VERTICES: usize = 1_000;
 
 /// Strips that share the work among threads well enough, so that few vertices are divided this far only.
 const ENOUGH_STRIPS: usize = 16;
@@ -86,11 +89,25 @@ impl RunOptions<'_> {
         &self,
         work: impl FnOnce() -> Result<T, BooleanError> + Send,
     ) -> Result<T, BooleanError> {
-        let Some(threads) = self.threads else { return work() };
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-        let pool = pool.map_err(|error| BooleanError::Threads { threads, reason: error.to_string() })?;
-        pool.install(work)
+        match self.threads {
+            None => work(),
+            Some(threads) => pool(threads)?.install(work),
+        }
     }
+}
+
+/// The threads that were asked for last. They are kept, because memory that a thread has used is ready for it again: what
+/// the system takes to hand out fresh memory is a twentieth of an operation.
+static LAST_POOL: Mutex<Option<Arc<ThreadPool>>> = Mutex::new(None);
+
+fn pool(threads: usize) -> Result<Arc<ThreadPool>, BooleanError> {
+    let mut last = LAST_POOL.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(pool) = last.as_ref().filter(|pool| pool.current_num_threads() == threads) {
+        return Ok(Arc::clone(pool));
+    }
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    let pool = pool.map_err(|error| BooleanError::Threads { threads, reason: error.to_string() })?;
+    Ok(Arc::clone(last.insert(Arc::new(pool))))
 }
 
 #[cfg(test)]
@@ -99,7 +116,7 @@ mod tests {
 
     #[test]
     fn few_vertices_are_not_divided_and_some_are_divided_enough_for_threads() {
-        let strips = [0, 1_999, 10_000, 52_000, 520_000].map(|edges| Division::Automatic.strips(edges));
+        let strips = [0, 1_999, 5_000, 52_000, 520_000].map(|edges| Division::Automatic.strips(edges));
         assert_eq!(strips, [1, 1, 5, 16, 65]);
     }
 
