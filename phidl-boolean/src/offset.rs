@@ -11,6 +11,7 @@
 
 use std::ops::Range;
 
+use phidl_core::geom::Point;
 use phidl_core::num;
 use rayon::prelude::*;
 
@@ -209,7 +210,7 @@ struct Run {
 #[expect(clippy::cast_precision_loss, reason = "differences of coordinates are far below 2^53")]
 fn run_between(a: GridPoint, b: GridPoint) -> Run {
     let (x, y) = ((b.x - a.x) as f64, (b.y - a.y) as f64);
-    let length = x.hypot(y);
+    let length = Point::new(x, y).norm();
     Run { direction: Vector { x: x / length, y: y / length }, length }
 }
 
