@@ -32,7 +32,7 @@ use phidl_macros::device;
 /// Own design, compatible with PHIDL's `litho_ruler`.
 #[device(picture = "docs/litho_ruler.svg")]
 pub fn litho_ruler(
-    /// Height that `scale` multiplies; a negative one hangs the marks from the x axis.
+    /// Height that `scale` multiplies. Marks of negative height are drawn downward, and all marks stand on the lowest foot.
     #[default(2.0)]
     #[param(unit = "um")]
     height: f64,
@@ -44,7 +44,7 @@ pub fn litho_ruler(
     #[default(1.2)]
     #[param(unit = "um")]
     spacing: f64,
-    /// Heights of the marks in units of `height`, from the first mark on and over again; negative ones point the other way.
+    /// Heights of the marks in units of `height`, from the first mark on and over again.
     #[default([3, 1, 1, 1, 1, 2, 1, 1, 1, 1])]
     scale: Vec<f64>,
     /// How many marks; none draws nothing.
@@ -61,10 +61,12 @@ pub fn litho_ruler(
     for (i, scale) in scale.iter().enumerate() {
         check.that(&format!("scale[{i}]"), *scale, *scale != 0.0, "not be 0")?;
     }
+    let heights = || scale.iter().cycle().take(num_marks).map(|scale| height * scale);
+    let lowest = heights().fold(0.0, f64::min);
     let mut d = Device::builder("litho_ruler");
-    for (i, scale) in scale.iter().cycle().take(num_marks).enumerate() {
-        let (x, top) = (spacing * i as f64, height * scale);
-        d.add_polygon([(x + width, top), (x + width, 0.0), (x, 0.0), (x, top)], &layer)?;
+    for (i, height) in heights().enumerate() {
+        let (x, y) = (spacing * i as f64, lowest - height.min(0.0));
+        d.add_polygon([(x + width, y + height), (x + width, y), (x, y), (x, y + height)], &layer)?;
     }
     d.build()
 }
@@ -90,8 +92,12 @@ mod tests {
     }
 
     #[test]
-    fn marks_hang_down_or_point_both_ways() {
+    fn all_marks_stand_on_the_lowest_foot() {
         assert_eq!(litho_ruler(-2, 0.5, 1.2, [3, 1], 21, 0).unwrap().bbox(), Some(Rect::new((0, -6), (24.5, 0))));
-        assert_eq!(litho_ruler(2, 0.5, 1.2, [2, -1], 21, 0).unwrap().bbox(), Some(Rect::new((0, -2), (24.5, 4))));
+        let both = litho_ruler(2, 0.5, 1.2, [2, -1], 21, 0).unwrap();
+        assert_eq!(both.bbox(), Some(Rect::new((0, -2), (24.5, 2))));
+        assert!(both.polygons().all(|p| Rect::around(p.points.to_vec()).unwrap().min.y == -2.0));
+        // What is not drawn moves nothing.
+        assert_eq!(litho_ruler(2, 0.5, 1.2, [1, 2, -3], 2, 0).unwrap().bbox().unwrap().min.y, 0.0);
     }
 }
