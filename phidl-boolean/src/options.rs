@@ -56,7 +56,8 @@ impl Division {
 pub struct RunOptions<'a> {
     /// How finely the plane is divided.
     pub division: Division,
-    /// Number of threads, more than zero; `None` means the current rayon pool (one thread per core).
+    /// Number of threads, more than zero; `None` means the current rayon pool (one thread per core). Threads asked for by
+    /// number are kept until another number is asked for.
     pub threads: Option<usize>,
     /// Receives progress and can cancel.
     pub watch: Option<&'a Watch>,
