@@ -10,6 +10,15 @@ pub(crate) fn per_job(items: usize, points: usize) -> usize {
     (items.saturating_mul(WORTH) / points.max(1)).max(1)
 }
 
+/// The results of two jobs, on two threads if the points that they go over are worth it.
+pub(crate) fn both<A: Send, B: Send>(
+    points: usize,
+    a: impl FnOnce() -> A + Send,
+    b: impl FnOnce() -> B + Send,
+) -> (A, B) {
+    if points < WORTH { (a(), b()) } else { rayon::join(a, b) }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -7,6 +7,7 @@ use super::{
 };
 use crate::{
     contours::Contours,
+    jobs::both,
     point::{GridPoint, side, signed_area2},
     region::Region,
 };
@@ -169,7 +170,7 @@ struct Outlines {
 
 impl Outlines {
     fn follow(strips: &[Swept], names: &Names) -> Self {
-        let (next, from) = rayon::join(|| names.following(strips), || begins(strips, names.total));
+        let (next, from) = both(names.total, || names.following(strips), || begins(strips, names.total));
         let mut outlines = Self {
             contours: Contours::with_capacity(0, names.total),
             first_edges: Vec::new(),
