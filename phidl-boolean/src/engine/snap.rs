@@ -134,7 +134,9 @@ impl Snapper<'_> {
     fn note_self_touch(&mut self, a: u32, b: u32) {
         let (a, b) = (self.seen[a as usize], self.seen[b as usize]);
         let contour = self.scene.contour_of(a);
+        // Whether edges are neighbors is asked over repeated points, so not again of a contour that is known to touch itself.
         if contour == self.scene.contour_of(b)
+            && self.touching.last() != Some(&contour)
             && self.scene.is_drawn(contour)
             && !self.scene.are_neighbors(a.min(b), a.max(b))
         {
