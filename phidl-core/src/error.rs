@@ -2,7 +2,7 @@
 //!
 //! Every variant names what was refused and the rule. Errors are `Clone`, since a cache hands one failure to every
 //! caller that waited for it, and compare with `==`, so tests can state them. Context is added by wrapping
-//! ([`Error::Within`]), one fact per layer; `Display` prints its own layer and `source()` leads to the next.
+//! ([`Error::Context`]), one fact per layer; `Display` prints its own layer and `source()` leads to the next.
 
 use std::sync::Arc;
 
@@ -48,7 +48,7 @@ pub enum Error {
     },
     /// An edge, center or size was asked of something that draws nothing.
     #[error("{device}: {word} needs something drawn, but {what} is empty")]
-    Empty {
+    EmptyGeometry {
         /// The cell.
         device: Box<str>,
         /// The placement word.
@@ -62,7 +62,7 @@ pub enum Error {
         /// The cell.
         device: Box<str>,
         /// What has the name.
-        kind: Noun,
+        kind: ItemKind,
         /// The name.
         name: Box<str>,
     },
@@ -72,7 +72,7 @@ pub enum Error {
         /// Where it was looked for.
         owner: Box<str>,
         /// What was looked for.
-        kind: Noun,
+        kind: ItemKind,
         /// The name.
         name: Box<str>,
         /// The names that are there.
@@ -80,7 +80,7 @@ pub enum Error {
     },
     /// A generator needs itself with the same parameters, perhaps by way of others.
     #[error("generators wait for each other in a circle: {}", .chain.join(" → "))]
-    Circle {
+    CyclicDependency {
         /// The generators, the first one repeated at the end.
         chain: Vec<String>,
     },
@@ -94,7 +94,7 @@ pub enum Error {
     },
     /// Something went wrong while a cell was drawn for another one.
     #[error("in {device}")]
-    Within {
+    Context {
         /// The outer cell.
         device: Box<str>,
         /// What went wrong.
@@ -120,7 +120,7 @@ pub struct ParamError {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 #[expect(missing_docs, reason = "the variants are the field's own nouns")]
-pub enum Noun {
+pub enum ItemKind {
     Alias,
     Generator,
     Layer,
@@ -131,7 +131,7 @@ pub enum Noun {
     Label,
 }
 
-impl std::fmt::Display for Noun {
+impl std::fmt::Display for ItemKind {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {
             Self::Alias => "alias",
@@ -161,7 +161,7 @@ impl Error {
     /// This error with the cell that was being drawn when it happened.
     #[must_use]
     pub fn within(self, device: impl Into<Box<str>>) -> Self {
-        Self::Within { device: device.into(), source: Arc::new(self) }
+        Self::Context { device: device.into(), source: Arc::new(self) }
     }
 
     /// The cell that the outermost layer names; none for a circle, which names its own.
@@ -171,29 +171,29 @@ impl Error {
             Self::NotFinite { device, .. }
             | Self::Refused { device, .. }
             | Self::TooFewPoints { device, .. }
-            | Self::Empty { device, .. }
+            | Self::EmptyGeometry { device, .. }
             | Self::Duplicate { device, .. }
             | Self::Custom { device, .. }
-            | Self::Within { device, .. } => Some(device),
+            | Self::Context { device, .. } => Some(device),
             Self::Unknown { owner, .. } => Some(owner),
-            Self::Circle { .. } => None,
+            Self::CyclicDependency { .. } => None,
         }
     }
 
-    /// The error at the end of the chain of [`Error::Within`].
+    /// The error at the end of the chain of [`Error::Context`].
     #[must_use]
     pub fn root(&self) -> &Self {
         match self {
-            Self::Within { source, .. } => source.root(),
+            Self::Context { source, .. } => source.root(),
             other => other,
         }
     }
 
     /// The whole chain in one line: outermost cell first, the rule last.
     #[must_use]
-    pub fn in_full(&self) -> String {
+    pub fn report(&self) -> String {
         match self {
-            Self::Within { source, .. } => format!("{self}: {}", source.in_full()),
+            Self::Context { source, .. } => format!("{self}: {}", source.report()),
             other => other.to_string(),
         }
     }
@@ -222,7 +222,7 @@ mod tests {
             rule: "be greater than 0 µm".into(),
         };
         let error = Error::from(rule).within("ring_filter").within("chip");
-        assert_eq!(error.in_full(), "in chip: in ring_filter: ring: width is -1 µm, but it must be greater than 0 µm");
+        assert_eq!(error.report(), "in chip: in ring_filter: ring: width is -1 µm, but it must be greater than 0 µm");
         assert!(matches!(error.root(), Error::Param(p) if p.param == "width"));
     }
 

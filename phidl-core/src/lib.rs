@@ -21,13 +21,13 @@
 //! |---|---|---|
 //! | [`Device`](scene::Device), [`DeviceBuilder`](scene::DeviceBuilder) | the finished cell; the open one | [`scene`] |
 //! | [`Reference`](scene::Reference), [`Group`](scene::Group) | one placement or array of a cell; several things as one | [`scene`] |
-//! | [`Place`](place::Place), [`Arrange`](place::Arrange) | the words for everything that has a place | [`place`] |
+//! | [`Movable`](place::Movable), [`Align`](place::Align) | the words for everything that has a place | [`place`] |
 //! | [`Port`](port::Port) | where things are joined | [`port`] |
 //! | [`Layer`](layer::Layer), [`Layers`](layer::Layers), [`LayerSet`](layer::LayerSet) | one; one, several or none; named and colored | [`layer`] |
 //! | [`Point`](geom::Point), [`Transform`](geom::Transform), [`Rect`](geom::Rect) | coordinates, GDSII's placements, boxes | [`geom`] |
 //! | [`Grid`](num::grid::Grid), angles, point counts | the one rounding rule; exact quarter turns | [`num`] |
 //! | [`Value`](param::Value), [`Param`](param::Param), [`Check`](param::Check) | what parameters and records are made of; what can be a parameter; rules between them | [`param`] |
-//! | [`Generator`], [`Recipe`](runtime::Recipe) | parameters that can be drawn, cached; a generator to be drawn with others | [`runtime`] |
+//! | [`Generator`], [`Partial`](runtime::Partial) | parameters that can be drawn, cached; a generator to be drawn with others | [`runtime`] |
 //! | [`cache`], [`registry`] | each parameter set is drawn once; every generator of a program by name | [`runtime`] |
 //!
 //! # Conventions

@@ -8,7 +8,7 @@ use crate::error::{Error, Result};
 use crate::geom::{Point, Rect, Transform};
 use crate::num::angle;
 use crate::param::Value;
-use crate::place::{Bounded, PlaceFault, Transformable};
+use crate::place::{Bounded, DeferredError, Transformable};
 
 /// A named opening: midpoint, width, and the direction that looks out of the geometry it belongs to.
 ///
@@ -27,7 +27,7 @@ pub struct Port {
     width: f64,
     orientation: f64,
     info: BTreeMap<String, Value>,
-    fault: Option<Box<PlaceFault>>,
+    fault: Option<Box<DeferredError>>,
 }
 
 impl Port {
@@ -187,7 +187,7 @@ impl Transformable for Port {
         self.width *= by.magnification;
     }
 
-    fn refuse(&mut self, fault: PlaceFault) {
+    fn refuse(&mut self, fault: DeferredError) {
         self.fault.get_or_insert(Box::new(fault));
     }
 }

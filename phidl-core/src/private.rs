@@ -3,9 +3,9 @@
 pub use inventory;
 
 pub use crate::error::Result;
-pub use crate::param::{Bounds, IntoOption, Kind, Mismatch, Param, Value};
+pub use crate::param::{Bounds, ConversionError, IntoOption, Param, ParamType, Value};
 pub use crate::runtime::registry::Registered;
-pub use crate::runtime::{Entry, Generator, Reader, Record, Row};
+pub use crate::runtime::{Generator, GeneratorInfo, ParamReader, ParamSpec, ParamValues};
 pub use crate::scene::Device;
 
 use std::collections::BTreeMap;
@@ -42,8 +42,8 @@ pub fn choice_value(word: &'static str) -> Value {
 /// The place of a word among those of a choice, in any case of its letters.
 ///
 /// # Errors
-/// [`Mismatch`] with the words that there are.
-pub fn choice_index(value: &Value, words: &'static [&'static str]) -> Result<usize, Mismatch> {
+/// [`ConversionError`] with the words that there are.
+pub fn choice_index(value: &Value, words: &'static [&'static str]) -> Result<usize, ConversionError> {
     let place = value.as_str().and_then(|text| words.iter().position(|word| word.eq_ignore_ascii_case(text)));
-    place.ok_or_else(|| Mismatch::new(value, format!("be {}", Kind::Choice(words))))
+    place.ok_or_else(|| ConversionError::new(value, format!("be {}", ParamType::Choice(words))))
 }

@@ -7,12 +7,12 @@ use std::time::Duration;
 use criterion::{Criterion, criterion_group, criterion_main};
 use phidl_core::prelude::*;
 use phidl_core::registry;
-use phidl_core::runtime::{Entry, Redraw, cache};
+use phidl_core::runtime::{GeneratorInfo, Redraw, cache};
 use phidl_geometry::TextParams;
 use testkit::loads;
 
 /// A shape with the parameters with which tests and galleries draw it.
-fn redraw(entry: &'static Entry) -> Result<Redraw> {
+fn redraw(entry: &'static GeneratorInfo) -> Result<Redraw> {
     let example = entry.example()?.by_name();
     entry.redraw(&example)
 }

@@ -23,7 +23,7 @@ pub(crate) fn main() -> std::result::Result<(), Box<dyn std::error::Error>> {
     // Moving and turning; words chain.
     d[wg1].rotate(45).movex(1);
     d[wg2].move_by((1, 5)).rotate(-90);
-    d.at(poly1).set_ymax(0);
+    d.select(poly1).set_ymax(0);
 
     // Ports meet like building blocks.
     let target = d[wg1].port("1")?;

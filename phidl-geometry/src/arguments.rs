@@ -4,7 +4,7 @@
 //! They are types of their own, since what `#[device]` sees is a type, and "a number or a pair" is none that Rust has.
 //! In JSON they are what a script would write; in a record they have one form only, so that equal calls are one cell.
 
-use phidl_core::param::{IntoOption, Kind, Mismatch, Param};
+use phidl_core::param::{ConversionError, IntoOption, Param, ParamType};
 use phidl_core::prelude::*;
 
 /// A length for each direction; one number stands for both.
@@ -46,22 +46,22 @@ impl<N: Into<f64>> From<[N; 2]> for PerAxis {
 }
 
 impl Param for PerAxis {
-    fn kind() -> Kind {
-        Kind::Other("number, or one number for x and one for y")
+    fn param_type() -> ParamType {
+        ParamType::Other("number, or one number for x and one for y")
     }
 
     fn to_value(&self) -> Value {
         [self.x, self.y].into()
     }
 
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
         if value.as_list().is_none() {
             return Ok(f64::from_value(value)?.into());
         }
         match Vec::<f64>::from_value(value)?[..] {
             [both] => Ok(both.into()),
             [x, y] => Ok(Self { x, y }),
-            _ => Err(Mismatch::new(value, "be one number, or one for x and one for y")),
+            _ => Err(ConversionError::new(value, "be one number, or one for x and one for y")),
         }
     }
 }
@@ -106,19 +106,19 @@ impl From<Size> for OpenSize {
 }
 
 impl Param for OpenSize {
-    fn kind() -> Kind {
-        Kind::Other("width and height, each a number or none")
+    fn param_type() -> ParamType {
+        ParamType::Other("width and height, each a number or none")
     }
 
     fn to_value(&self) -> Value {
         vec![self.width.to_value(), self.height.to_value()].into()
     }
 
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
         match Option::<Vec<Option<f64>>>::from_value(value)?.as_deref() {
             None => Ok(Self::OPEN),
             Some([width, height]) => Ok(Self { width: *width, height: *height }),
-            Some(_) => Err(Mismatch::new(value, "be a width and a height, null for an open one")),
+            Some(_) => Err(ConversionError::new(value, "be a width and a height, null for an open one")),
         }
     }
 }
@@ -162,8 +162,8 @@ one! {
 }
 
 impl<T: Param> Param for Each<T> {
-    fn kind() -> Kind {
-        Kind::List(Box::new(T::kind()))
+    fn param_type() -> ParamType {
+        ParamType::List(Box::new(T::param_type()))
     }
 
     fn to_value(&self) -> Value {
@@ -171,7 +171,7 @@ impl<T: Param> Param for Each<T> {
     }
 
     /// A list, one bare item, or null for none.
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
         match value {
             Value::Null => Ok(Self(Vec::new())),
             Value::List(_) => Vec::from_value(value).map(Self),
@@ -199,15 +199,15 @@ impl<L: Into<Layers>> From<L> for LayerList {
 }
 
 impl Param for LayerList {
-    fn kind() -> Kind {
-        Kind::List(Box::new(Kind::Layer))
+    fn param_type() -> ParamType {
+        ParamType::List(Box::new(ParamType::Layer))
     }
 
     fn to_value(&self) -> Value {
         Value::List(self.0.iter().map(Value::from).collect())
     }
 
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
         match value {
             Value::List(_) => Ok(Self(Vec::<Layer>::from_value(value)?.into())),
             other => Layers::from_value(other).map(Self),

@@ -189,10 +189,10 @@ impl std::fmt::Display for Item {
 impl IoError {
     /// The whole chain in one line: the file or cell first, the cause last.
     #[must_use]
-    pub fn in_full(&self) -> String {
+    pub fn report(&self) -> String {
         match self {
             Self::File { source, .. } => format!("{self}: {source}"),
-            Self::Device { source, .. } => format!("{self}: {}", source.in_full()),
+            Self::Device { source, .. } => format!("{self}: {}", source.report()),
             other => other.to_string(),
         }
     }
@@ -223,7 +223,7 @@ mod tests {
         fn assert_shared<T: Clone + Send + Sync + std::error::Error>() {}
         assert_shared::<IoError>();
         let error = IoError::file(Path::new("a.gds"), "open it", std::io::Error::other("no luck"));
-        assert_eq!(error.clone().in_full(), "a.gds: could not open it: no luck");
+        assert_eq!(error.clone().report(), "a.gds: could not open it: no luck");
         let item = Item::Label { index: 2, text: "pad".into() };
         let error = IoError::Refused {
             cell: "chip".into(),

@@ -14,7 +14,7 @@ const UNITS: [&str; 20] = [
 ];
 
 /// Types that hold no number which a unit or a bound could be about.
-const WITHOUT_NUMBERS: [&str; 8] = ["bool", "char", "String", "Layer", "Layers", "Port", "Device", "Recipe"];
+const WITHOUT_NUMBERS: [&str; 8] = ["bool", "char", "String", "Layer", "Layers", "Port", "Device", "Partial"];
 
 /// Checks what a generator's function cannot be.
 pub(crate) fn signature(signature: &Signature, problems: &mut Problems) {

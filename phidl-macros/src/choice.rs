@@ -75,8 +75,8 @@ fn expand(input: &DeriveInput, words: &[(syn::Ident, LitStr)]) -> TokenStream {
     quote! {
         #[automatically_derived]
         impl ::phidl_core::param::Param for #name {
-            fn kind() -> ::phidl_core::__private::Kind {
-                ::phidl_core::__private::Kind::Choice(&[#(#words),*])
+            fn param_type() -> ::phidl_core::__private::ParamType {
+                ::phidl_core::__private::ParamType::Choice(&[#(#words),*])
             }
 
             fn to_value(&self) -> ::phidl_core::__private::Value {
@@ -87,7 +87,7 @@ fn expand(input: &DeriveInput, words: &[(syn::Ident, LitStr)]) -> TokenStream {
 
             fn from_value(
                 value: &::phidl_core::__private::Value,
-            ) -> ::core::result::Result<Self, ::phidl_core::__private::Mismatch> {
+            ) -> ::core::result::Result<Self, ::phidl_core::__private::ConversionError> {
                 let choices = [#(Self::#variants),*];
                 let place = ::phidl_core::__private::choice_index(value, &[#(#words),*])?;
                 ::core::result::Result::Ok(::core::clone::Clone::clone(&choices[place]))

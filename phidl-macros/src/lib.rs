@@ -112,7 +112,7 @@ pub fn device(options: TokenStream, function: TokenStream) -> TokenStream {
 ///
 /// assert_eq!(Corner::Round.to_value(), Value::from("fillet"));
 /// assert_eq!(Corner::from_value(&Value::from("STRAIGHT")).unwrap(), Corner::Straight);
-/// assert_eq!(Corner::kind().to_string(), "one of straight, fillet");
+/// assert_eq!(Corner::param_type().to_string(), "one of straight, fillet");
 /// ```
 #[proc_macro_derive(Choice, attributes(choice))]
 pub fn choice(input: TokenStream) -> TokenStream {

@@ -89,7 +89,7 @@ fn never_called(
     #[default(true)] b: bool,
     #[default(true)] c: bool,
     #[default(true)] d: bool,
-    #[default(library::DocumentedParams::default())] recipe: Recipe,
+    #[default(library::DocumentedParams::default())] recipe: Partial,
     #[default(1.5)] mut length: f64,
     #[allow(unused_variables, reason = "carried over")]
     #[default('x')]

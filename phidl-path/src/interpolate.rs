@@ -3,7 +3,7 @@
 use phidl_core::Result;
 use phidl_core::geom::Point;
 use phidl_core::num::angle;
-use phidl_core::place::Place as _;
+use phidl_core::place::Movable as _;
 use phidl_core::port::Port;
 use phidl_core::scene::{Device, Reference};
 

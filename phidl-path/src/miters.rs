@@ -235,7 +235,7 @@ pub(crate) fn right_of(degrees: f64) -> Point {
 mod tests {
     use super::*;
     use crate::{ArcBend, Spiral};
-    use phidl_core::place::Place as _;
+    use phidl_core::place::Movable as _;
 
     /// Some paths with arcs of all kinds, at odd places.
     fn round_paths() -> Vec<Path> {

@@ -9,7 +9,7 @@ use phidl_core::error::{Error, Result};
 use phidl_core::geom::{Outline, Point, Rect, Transform};
 use phidl_core::num::angle;
 use phidl_core::param::Value;
-use phidl_core::place::{Bounded, PlaceFault, Transformable};
+use phidl_core::place::{Bounded, DeferredError, Transformable};
 
 use crate::curve::{Curve, Part};
 use crate::sampling::MOST_CHORDS;
@@ -27,7 +27,7 @@ use crate::{Piece, direction, rule};
 /// # Ok::<(), phidl_core::Error>(())
 /// ```
 ///
-/// It moves, turns and mirrors with the words of [`Place`](phidl_core::place::Place). It is not drawn until it is
+/// It moves, turns and mirrors with the words of [`Movable`](phidl_core::place::Movable). It is not drawn until it is
 /// [extruded](Path::extrude).
 ///
 /// # Bad values
@@ -328,7 +328,7 @@ impl Transformable for Path {
         self.end_angle = direction::within_turn(twice - self.end_angle);
     }
 
-    fn refuse(&mut self, fault: PlaceFault) {
+    fn refuse(&mut self, fault: DeferredError) {
         self.keep(fault.into_error("path", "the path"));
     }
 }
@@ -345,7 +345,7 @@ impl Path {
 mod tests {
     use super::*;
     use crate::{Spiral, Station};
-    use phidl_core::place::Place as _;
+    use phidl_core::place::Movable as _;
 
     #[test]
     fn appended_points_are_turned_into_the_direction_of_the_path() {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use phidl_core::Result;
-use phidl_core::param::{Kind, Mismatch, Param, Value};
+use phidl_core::param::{ConversionError, Param, ParamType, Value};
 use phidl_path::{ArcBend, Bend, EulerBend, Path};
 
 use crate::manhattan::recorded;
@@ -99,8 +99,8 @@ impl Bend for SmoothOptions {
 }
 
 impl Param for SmoothOptions {
-    fn kind() -> Kind {
-        Kind::Other("{\"corner_fun\": \"arc\" or \"euler\", …}")
+    fn param_type() -> ParamType {
+        ParamType::Other("{\"corner_fun\": \"arc\" or \"euler\", …}")
     }
 
     fn to_value(&self) -> Value {
@@ -116,19 +116,19 @@ impl Param for SmoothOptions {
         Value::Map(entries.into_iter().map(|(key, value)| (key.to_owned(), value)).collect())
     }
 
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
         let Value::Map(map) = value else {
-            return Err(Mismatch::new(value, format!("be {}", Self::kind())));
+            return Err(ConversionError::new(value, format!("be {}", Self::param_type())));
         };
         let arc = match map.get("corner_fun").map(Value::as_str) {
             Some(Some("arc")) => true,
             // The reference's default, also where other options are given.
             Some(Some("euler")) | None => false,
-            Some(_) => return Err(Mismatch::new(&map["corner_fun"], "be arc or euler").at(".corner_fun")),
+            Some(_) => return Err(ConversionError::new(&map["corner_fun"], "be arc or euler").at(".corner_fun")),
         };
         let known: &[&str] = if arc { &["corner_fun", "num_pts"] } else { &["corner_fun", "p", "use_eff", "num_pts"] };
         if let Some(unknown) = map.keys().find(|key| !known.contains(&key.as_str())) {
-            return Err(Mismatch::new(value, format!("have no {unknown:?}; known are {}", known.join(", "))));
+            return Err(ConversionError::new(value, format!("have no {unknown:?}; known are {}", known.join(", "))));
         }
         let num_pts = entry(map, "num_pts", NUM_PTS)?;
         match arc {
@@ -139,7 +139,7 @@ impl Param for SmoothOptions {
 }
 
 /// An entry of a map, or what it is if it is not there.
-fn entry<T: Param>(map: &BTreeMap<String, Value>, key: &str, default: T) -> Result<T, Mismatch> {
+fn entry<T: Param>(map: &BTreeMap<String, Value>, key: &str, default: T) -> Result<T, ConversionError> {
     let read = |value| T::from_value(value).map_err(|mismatch| mismatch.at(format_args!(".{key}")));
     map.get(key).map_or(Ok(default), read)
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use phidl_core::layer::Layers;
-use phidl_core::param::{IntoOption, Kind, Mismatch, Param, Value};
+use phidl_core::param::{ConversionError, IntoOption, Param, ParamType, Value};
 use phidl_path::{CrossSection, Profile, Section};
 
 /// How wide a route is: one width, a change from one to another, or the strips of a cross-section.
@@ -43,8 +43,8 @@ impl RouteWidth {
 }
 
 impl Param for RouteWidth {
-    fn kind() -> Kind {
-        Kind::Other("number, pair of numbers, or {\"sections\": […]}")
+    fn param_type() -> ParamType {
+        ParamType::Other("number, pair of numbers, or {\"sections\": […]}")
     }
 
     fn to_value(&self) -> Value {
@@ -58,12 +58,12 @@ impl Param for RouteWidth {
         }
     }
 
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
         let rule = "be a number, a pair of numbers, or {\"sections\": […]}";
         let Value::Map(map) = value else {
-            return match profile(value).map_err(|_| Mismatch::new(value, rule))? {
+            return match profile(value).map_err(|_| ConversionError::new(value, rule))? {
                 Profile::Linear(from, to) => Ok(Self::Linear(from, to)),
-                other => other.constant().map(Self::Constant).ok_or_else(|| Mismatch::new(value, rule)),
+                other => other.constant().map(Self::Constant).ok_or_else(|| ConversionError::new(value, rule)),
             };
         };
         match (map.len(), map.get("sections").and_then(Value::as_list)) {
@@ -72,7 +72,7 @@ impl Param for RouteWidth {
                 let sections: Vec<Section> = list.iter().enumerate().map(read).collect::<Result<_, _>>()?;
                 Ok(Self::Sections(sections.into_iter().fold(CrossSection::new(), CrossSection::add)))
             }
-            _ => Err(Mismatch::new(value, rule)),
+            _ => Err(ConversionError::new(value, rule)),
         }
     }
 }
@@ -98,15 +98,15 @@ fn profile_value(profile: &Profile) -> Value {
     }
 }
 
-fn section(value: &Value) -> Result<Section, Mismatch> {
+fn section(value: &Value) -> Result<Section, ConversionError> {
     let Value::Map(map) = value else {
-        return Err(Mismatch::new(value, "be a section, {\"width\": …, …}"));
+        return Err(ConversionError::new(value, "be a section, {\"width\": …, …}"));
     };
     let known = ["width", "offset", "layer", "start_port", "end_port", "name"];
     if let Some(unknown) = map.keys().find(|key| !known.contains(&key.as_str())) {
-        return Err(Mismatch::new(value, format!("be a section, without {unknown:?}")));
+        return Err(ConversionError::new(value, format!("be a section, without {unknown:?}")));
     }
-    let width = map.get("width").ok_or_else(|| Mismatch::new(value, "have a width"))?;
+    let width = map.get("width").ok_or_else(|| ConversionError::new(value, "have a width"))?;
     let text = |key: &str| match map.get(key) {
         None => Ok(None),
         Some(text) => Option::<String>::from_value(text).map_err(|mismatch| mismatch.at(format_args!(".{key}"))),
@@ -122,7 +122,7 @@ fn section(value: &Value) -> Result<Section, Mismatch> {
 }
 
 /// A number or a pair of numbers.
-fn profile(value: &Value) -> Result<Profile, Mismatch> {
+fn profile(value: &Value) -> Result<Profile, ConversionError> {
     match value.as_list() {
         Some([from, to]) => Ok(Profile::Linear(f64::from_value(from)?, f64::from_value(to)?)),
         _ => f64::from_value(value).map(Profile::Constant),

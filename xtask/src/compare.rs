@@ -270,7 +270,7 @@ pub(crate) fn draw(layers: &[Outlines; 2]) -> anyhow::Result<[Device; 2]> {
         }
         cell.build()
     };
-    Ok([drawn(&layers[0], 1).map_err(crate::in_full)?, drawn(&layers[1], 2).map_err(crate::in_full)?])
+    Ok([drawn(&layers[0], 1).map_err(crate::report)?, drawn(&layers[1], 2).map_err(crate::report)?])
 }
 
 /// One device with all that some devices draw.
@@ -279,5 +279,5 @@ pub(crate) fn both(devices: &[Device]) -> anyhow::Result<Device> {
     for device in devices {
         cell.add(device);
     }
-    cell.build().map_err(crate::in_full)
+    cell.build().map_err(crate::report)
 }

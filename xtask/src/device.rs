@@ -54,7 +54,7 @@ fn one(name: &str, flags: &DeviceFlags, out: &Path) -> anyhow::Result<()> {
 }
 
 fn draw(name: &str, params: &BTreeMap<String, Value>) -> anyhow::Result<Device> {
-    registry::find(name).and_then(|entry| entry.build(params)).map_err(crate::in_full)
+    registry::find(name).and_then(|entry| entry.build(params)).map_err(crate::report)
 }
 
 /// Writes a device in the format that the ending of the file names.
@@ -65,7 +65,7 @@ fn write(device: &Device, out: &Path) -> anyhow::Result<()> {
         Some("json") => atomic::write(out, json::to_text(&json::describe(device)).as_bytes()).map(drop),
         _ => bail!("{}: the file must end in .gds, .svg or .json", out.display()),
     };
-    written.map_err(|error| anyhow::anyhow!(error.in_full()))
+    written.map_err(|error| anyhow::anyhow!(error.report()))
 }
 
 /// Draws a device as the figures of the documentation are drawn.
@@ -73,7 +73,7 @@ fn write_figure(device: &Device, out: &Path) -> anyhow::Result<()> {
     ensure!(out.extension().is_some_and(|ending| ending == "svg"), "{}: a figure is a .svg file", out.display());
     let figure = svg::figure(device, &figure_options(device)?);
     let written = figure.and_then(|figure| atomic::write(out, figure.as_bytes()));
-    written.map(drop).map_err(|error| anyhow::anyhow!(error.in_full()))
+    written.map(drop).map_err(|error| anyhow::anyhow!(error.report()))
 }
 
 /// Draws every entry; what a generator refuses, its file says. Only entries without a file to write to are an error,
@@ -100,7 +100,7 @@ fn many(batch: &Path, out_dir: &Path) -> anyhow::Result<()> {
                 object!({ "error": format!("{error:#}") })
             }
         };
-        atomic::write(&file, json::to_text(&described).as_bytes()).map_err(|error| anyhow::anyhow!(error.in_full()))?;
+        atomic::write(&file, json::to_text(&described).as_bytes()).map_err(|error| anyhow::anyhow!(error.report()))?;
     }
     drop(progress);
     println!("{} drawn, {refused} refused", entries.len() - refused - homeless.len());

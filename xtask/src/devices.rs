@@ -2,9 +2,9 @@
 
 use std::io::{self, Write as _};
 
-use phidl_core::param::{Bounds, Kind};
+use phidl_core::param::{Bounds, ParamType};
 use phidl_core::registry;
-use phidl_core::runtime::{Entry, ParamInfo};
+use phidl_core::runtime::{GeneratorInfo, ParamInfo};
 use serde_json::{Value as Json, json};
 
 use crate::flags::DevicesFlags;
@@ -13,7 +13,7 @@ use crate::summary::first_paragraph;
 /// Prints every registered device whose name matches.
 pub(crate) fn run(flags: &DevicesFlags) -> anyhow::Result<()> {
     let filter = flags.filter.as_deref().unwrap_or_default();
-    let entries: Vec<&Entry> = registry::all().filter(|entry| entry.name.contains(filter)).collect();
+    let entries: Vec<&GeneratorInfo> = registry::all().filter(|entry| entry.name.contains(filter)).collect();
     anyhow::ensure!(!entries.is_empty(), "no device has a name that contains {filter:?}");
     let listing = match flags.json {
         true => format!("{:#}", to_json(&entries)),
@@ -25,7 +25,7 @@ pub(crate) fn run(flags: &DevicesFlags) -> anyhow::Result<()> {
 
 /// What other programs need to draw devices by name: parameters with kinds in words, words to choose from, bounds, units
 /// and defaults.
-pub(crate) fn to_json(entries: &[&Entry]) -> Json {
+pub(crate) fn to_json(entries: &[&GeneratorInfo]) -> Json {
     let devices = entries.iter().map(|entry| {
         let params: Vec<Json> = entry.params().iter().map(param_to_json).collect();
         json!({ "name": entry.name, "module": entry.module, "version": entry.version, "params": params })
@@ -39,7 +39,7 @@ fn param_to_json(param: &ParamInfo) -> Json {
         "name": param.name,
         "kind": param.kind.to_string(),
         "choices": choices(&param.kind),
-        "optional": matches!(param.kind, Kind::Optional(_)),
+        "optional": matches!(param.kind, ParamType::Optional(_)),
         "required": param.default.is_none(),
         "default": param.default,
         "unit": param.unit,
@@ -47,16 +47,16 @@ fn param_to_json(param: &ParamInfo) -> Json {
     })
 }
 
-fn choices(kind: &Kind) -> Option<&'static [&'static str]> {
+fn choices(kind: &ParamType) -> Option<&'static [&'static str]> {
     match kind {
-        Kind::Choice(words) => Some(words),
-        Kind::Optional(inner) => choices(inner),
+        ParamType::Choice(words) => Some(words),
+        ParamType::Optional(inner) => choices(inner),
         _ => None,
     }
 }
 
 /// Name, first paragraph of the docs, and a line for each parameter.
-fn describe(entry: &Entry) -> String {
+fn describe(entry: &GeneratorInfo) -> String {
     let summary = first_paragraph(entry.docs);
     let mut text = format!("{}  ({} {})\n    {summary}\n", entry.name, entry.module, entry.version);
     for param in entry.params() {

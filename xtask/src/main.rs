@@ -61,6 +61,6 @@ fn is_broken_pipe(error: &anyhow::Error) -> bool {
 
 /// An error of the libraries with the whole way from the outermost cell to the rule.
 #[expect(clippy::needless_pass_by_value, reason = "it stands in map_err")]
-fn in_full(error: phidl_core::Error) -> anyhow::Error {
-    anyhow::anyhow!(error.in_full())
+fn report(error: phidl_core::Error) -> anyhow::Error {
+    anyhow::anyhow!(error.report())
 }

@@ -22,7 +22,7 @@ struct Mask {
 /// All masks, in the order in which they are built.
 const MASKS: [Mask; 1] = [Mask {
     name: "demo",
-    draw: || demo::demo_chip(10_000).map_err(crate::in_full),
+    draw: || demo::demo_chip(10_000).map_err(crate::report),
     options: || {
         let svg = SvgOptions { layers: demo::layer_set()?, label_height: Some(30.0), ..SvgOptions::default() };
         Ok(MaskOptions { svg, ..MaskOptions::default() })
@@ -57,7 +57,7 @@ fn build(mask: &Mask, flags: &MaskFlags) -> anyhow::Result<()> {
     let options = (mask.options)()?;
     let folder = flags.out.join(mask.name);
     let report = mask::build(mask.name, &device, &folder, &options, |step| progress.step(step))
-        .map_err(|error| anyhow::anyhow!(error.in_full()))?;
+        .map_err(|error| anyhow::anyhow!(error.report()))?;
     drop(progress);
     let after = cache::stats();
     print(mask.name, &report);
@@ -112,7 +112,7 @@ mod tests {
     fn the_demo_is_the_chip_that_its_docs_promise() {
         let chip = (MASKS[0].draw)().unwrap();
         assert_eq!(chip.bbox().unwrap().size(), Size::new(10_000.0, 10_000.0));
-        let below = chip.info_below();
+        let below = chip.descendant_info();
         let rings: Vec<&Value> = below.iter().filter_map(|(_, info)| info.get("rings")).collect();
         assert_eq!(rings, [&Value::from(240)]);
         assert!(chip.layers().len() >= 5);

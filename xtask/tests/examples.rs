@@ -52,7 +52,7 @@ fn run(folder: &Path, names: &[&str]) -> Output {
 
 fn on(device: &Device, layer: u16) -> Device {
     let mut d = device.edit();
-    d.keep_layers(layer, Affects::Everything);
+    d.keep_layers(layer, LayerTarget::All);
     d.build().expect("a cell")
 }
 

@@ -55,7 +55,7 @@ fn read(folder: &Path, file: &str, cell: Option<&str>) -> Device {
 
 fn on(device: &Device, layer: impl Into<Layers>) -> Device {
     let mut d = device.edit();
-    d.keep_layers(layer, Affects::Everything);
+    d.keep_layers(layer, LayerTarget::All);
     d.build().unwrap()
 }
 

@@ -35,7 +35,7 @@ fn described() -> anyhow::Result<Vec<PathBuf>> {
 
 fn build(file: &Path) -> anyhow::Result<()> {
     let name = file.file_stem().unwrap_or_default().to_string_lossy();
-    let recipe: Recipe = serde_json::from_str(&fs::read_to_string(file)?)?;
+    let recipe: Partial = serde_json::from_str(&fs::read_to_string(file)?)?;
     let device = recipe.build()?;
     let svg = SvgOptions { layers: layers::layer_set()?, ..SvgOptions::default() };
     let folder = Path::new("target/mask").join(&*name);

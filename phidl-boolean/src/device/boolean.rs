@@ -153,7 +153,7 @@ fn draw_layers(
 mod tests {
     use super::*;
     use phidl_core::geom::Rect;
-    use phidl_core::place::Place;
+    use phidl_core::place::Movable;
     use phidl_core::scene::Polygon;
 
     fn area(device: &Device) -> f64 {

@@ -241,7 +241,7 @@ fn inverse(shapes: &(impl Shapes + ?Sized), border: Border, options: &Options) -
 mod tests {
     use super::*;
     use phidl_core::geom::Rect;
-    use phidl_core::place::{Bounded, Place};
+    use phidl_core::place::{Bounded, Movable};
 
     /// A bar of 10 × 1 µm with a port at either end.
     fn bar() -> Device {

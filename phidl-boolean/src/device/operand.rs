@@ -5,7 +5,7 @@ use phidl_core::layer::Layer;
 use phidl_core::num::grid::Grid;
 use phidl_core::place::Bounded;
 use phidl_core::port::Port;
-use phidl_core::scene::{Affects, Device};
+use phidl_core::scene::{Device, LayerTarget};
 
 use super::Shapes;
 use crate::{
@@ -39,7 +39,7 @@ impl Operand {
     /// The shapes on one layer, in the same hierarchy.
     pub(super) fn on_layer(&self, layer: Layer) -> Result<Self, BooleanError> {
         let mut cell = self.cell.edit();
-        cell.keep_layers(layer, Affects::Everything);
+        cell.keep_layers(layer, LayerTarget::All);
         Ok(Self { cell: cell.build()? })
     }
 
@@ -60,7 +60,7 @@ impl Operand {
 
     /// The ports of the devices and references that were given, not of what is placed below them.
     pub(super) fn ports(&self) -> Vec<Port> {
-        self.cell.ports_below(Some(1))
+        self.cell.ports_recursive(Some(1))
     }
 
     /// The ports of the only thing that was given, if it was one and has ports.

@@ -1,6 +1,6 @@
 //! [`Border`] and [`OpenPorts`] as parameters of generators: how they look as plain values.
 
-use phidl_core::param::{Kind, Mismatch, Param, Value};
+use phidl_core::param::{ConversionError, Param, ParamType, Value};
 
 use super::{Border, OpenPorts};
 
@@ -24,8 +24,8 @@ impl From<i32> for OpenPorts {
 }
 
 impl Param for OpenPorts {
-    fn kind() -> Kind {
-        Kind::Other("false, true or a margin")
+    fn param_type() -> ParamType {
+        ParamType::Other("false, true or a margin")
     }
 
     fn to_value(&self) -> Value {
@@ -35,29 +35,29 @@ impl Param for OpenPorts {
         }
     }
 
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
         match (bool::from_value(value), value.as_f64()) {
             (Ok(open), _) => Ok(open.into()),
             (_, Some(margin)) => Ok(Self::Wider(margin)),
-            _ => Err(Mismatch::new(value, "be true, false or a length")),
+            _ => Err(ConversionError::new(value, "be true, false or a length")),
         }
     }
 }
 
 impl Param for Border {
-    fn kind() -> Kind {
-        Kind::Other("a length, or one in x and one in y")
+    fn param_type() -> ParamType {
+        ParamType::Other("a length, or one in x and one in y")
     }
 
     fn to_value(&self) -> Value {
         Value::List(vec![self.x.into(), self.y.into()])
     }
 
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
         match (value.as_f64(), value.as_list()) {
             (Some(border), _) => Ok(border.into()),
             (None, Some([x, y])) => Ok(Self { x: f64::from_value(x)?, y: f64::from_value(y)? }),
-            _ => Err(Mismatch::new(value, "be a length or two lengths")),
+            _ => Err(ConversionError::new(value, "be a length or two lengths")),
         }
     }
 }

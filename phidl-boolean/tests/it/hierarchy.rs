@@ -157,7 +157,7 @@ proptest! {
     #[test]
     fn a_layout_less_a_layer_of_its_own_is_the_same_either_way(a in layout()) {
         let mut hole = a.edit();
-        hole.keep_layers(2, Affects::Everything);
+        hole.keep_layers(2, LayerTarget::All);
         let hole = hole.build().unwrap();
         same(hierarchy::boolean(&a, &hole, "not", 3, &options()), boolean(&a, &hole, "not", 3, &options()))?;
         same(hierarchy::xor_diff(&a, &hole, &options()), xor_diff(&a, &hole, &options()))?;
@@ -195,7 +195,7 @@ fn ring() -> Device {
 
 fn on(device: &Device, layer: u16) -> Device {
     let mut d = device.edit();
-    d.keep_layers(layer, Affects::Everything);
+    d.keep_layers(layer, LayerTarget::All);
     d.build().unwrap()
 }
 

@@ -6,7 +6,7 @@
 use indexmap::IndexMap;
 
 use super::{Color, Layer};
-use crate::error::{Error, Noun, Result};
+use crate::error::{Error, ItemKind, Result};
 
 /// A layer with its name and its looks.
 #[derive(Debug, Clone, PartialEq)]
@@ -83,7 +83,11 @@ impl LayerSet {
     /// [`Error::Duplicate`] if the name is taken, [`Error::Refused`] if the opacity is not between 0 and 1.
     pub fn add(&mut self, layer: NamedLayer) -> Result<&mut Self> {
         if self.layers.contains_key(&layer.name) {
-            return Err(Error::Duplicate { device: "layer set".into(), kind: Noun::Layer, name: layer.name.into() });
+            return Err(Error::Duplicate {
+                device: "layer set".into(),
+                kind: ItemKind::Layer,
+                name: layer.name.into(),
+            });
         }
         if !(0.0..=1.0).contains(&layer.alpha) {
             return Err(Error::Refused {
@@ -104,7 +108,7 @@ impl LayerSet {
     pub fn get(&self, name: &str) -> Result<&NamedLayer> {
         self.layers.get(name).ok_or_else(|| Error::Unknown {
             owner: "layer set".into(),
-            kind: Noun::Layer,
+            kind: ItemKind::Layer,
             name: name.into(),
             known: self.layers.keys().cloned().collect(),
         })

@@ -2,7 +2,7 @@
 
 use super::parameter::REFUSED;
 use super::unit::Quantity;
-use super::{Kind, Value};
+use super::{ParamType, Value};
 use crate::error::ParamError;
 
 /// The range of every number in a parameter, in the unit of the parameter.
@@ -40,7 +40,7 @@ impl Bounds {
     /// Checks every number of a parameter: inside lists, maps and options, and each coordinate of a pair.
     ///
     /// What is sound, which is nearly everything, needs no words for its place.
-    pub(crate) fn check(&self, at: Site<'_>, kind: fn() -> Kind, value: &Value) -> Result<(), ParamError> {
+    pub(crate) fn check(&self, at: ParamPath<'_>, kind: fn() -> ParamType, value: &Value) -> Result<(), ParamError> {
         if self.admits(value) { Ok(()) } else { self.explain(at, &kind(), value) }
     }
 
@@ -56,7 +56,7 @@ impl Bounds {
     }
 
     /// The first number that is wrong, with its place.
-    fn explain(&self, at: Site<'_>, kind: &Kind, value: &Value) -> Result<(), ParamError> {
+    fn explain(&self, at: ParamPath<'_>, kind: &ParamType, value: &Value) -> Result<(), ParamError> {
         let number = |v: f64| match self.broken_by(v, at.unit) {
             Some(rule) => Err(at.error(Quantity(v, at.unit).to_string(), rule)),
             None => Ok(()),
@@ -66,15 +66,15 @@ impl Bounds {
             Value::Int(v) => number(*v as f64),
             Value::List(list) => list.iter().enumerate().try_for_each(|(i, item)| {
                 let place = format!("{}{}", at.place, kind.place(i));
-                self.explain(Site { place: &place, ..at }, kind.inner(), item)
+                self.explain(ParamPath { place: &place, ..at }, kind.inner(), item)
             }),
-            Value::Map(map) if *kind.inner() == Kind::Port && map.contains_key(REFUSED) => {
+            Value::Map(map) if *kind.inner() == ParamType::Port && map.contains_key(REFUSED) => {
                 let rule = format!("be placed with sound values, also by {}", map[REFUSED]);
                 Err(at.error("a port".to_owned(), rule))
             }
             Value::Map(map) => map.iter().try_for_each(|(key, item)| {
                 let place = format!("{}[{key:?}]", at.place);
-                self.explain(Site { place: &place, ..at }, kind.inner(), item)
+                self.explain(ParamPath { place: &place, ..at }, kind.inner(), item)
             }),
             Value::Null | Value::Bool(_) | Value::Text(_) | Value::Device(_) => Ok(()),
         }
@@ -83,14 +83,14 @@ impl Bounds {
 
 /// Which number is looked at.
 #[derive(Clone, Copy)]
-pub(crate) struct Site<'a> {
+pub(crate) struct ParamPath<'a> {
     pub(crate) device: &'a str,
     /// The parameter with the place inside it.
     pub(crate) place: &'a str,
     pub(crate) unit: &'a str,
 }
 
-impl Site<'_> {
+impl ParamPath<'_> {
     fn error(&self, value: String, rule: String) -> ParamError {
         ParamError { device: self.device.to_owned(), param: self.place.to_owned(), value, rule }
     }
@@ -118,26 +118,32 @@ mod tests {
 
     const RANGE: Bounds = Bounds { above: Some(0.0), max: Some(360.0), ..Bounds::NONE };
 
-    fn checked(kind: fn() -> Kind, value: impl Into<Value>) -> Result<(), String> {
-        let at = Site { device: "ring", place: "p", unit: "um" };
+    fn checked(kind: fn() -> ParamType, value: impl Into<Value>) -> Result<(), String> {
+        let at = ParamPath { device: "ring", place: "p", unit: "um" };
         RANGE.check(at, kind, &value.into()).map_err(|error| error.to_string())
     }
 
     #[test]
     fn bounds_are_open_or_closed_as_stated() {
-        assert!(checked(|| Kind::Number, 360.0).is_ok());
-        assert!(checked(|| Kind::Number, f64::MIN_POSITIVE).is_ok());
-        assert_eq!(checked(|| Kind::Number, 0.0), Err("ring: p is 0 µm, but it must be greater than 0 µm".to_owned()));
-        assert_eq!(checked(|| Kind::Integer, 361), Err("ring: p is 361 µm, but it must be at most 360 µm".to_owned()));
-        assert!(checked(|| Kind::Number, f64::NAN).unwrap_err().ends_with("it must be finite"));
+        assert!(checked(|| ParamType::Number, 360.0).is_ok());
+        assert!(checked(|| ParamType::Number, f64::MIN_POSITIVE).is_ok());
+        assert_eq!(
+            checked(|| ParamType::Number, 0.0),
+            Err("ring: p is 0 µm, but it must be greater than 0 µm".to_owned())
+        );
+        assert_eq!(
+            checked(|| ParamType::Integer, 361),
+            Err("ring: p is 361 µm, but it must be at most 360 µm".to_owned())
+        );
+        assert!(checked(|| ParamType::Number, f64::NAN).unwrap_err().ends_with("it must be finite"));
     }
 
     #[test]
     fn every_number_inside_a_parameter_is_checked_and_named() {
-        assert!(checked(|| Kind::Size, vec![1.0, -1.0]).unwrap_err().starts_with("ring: p.height is -1 µm"));
-        let list = || Kind::List(Box::new(Kind::Point));
+        assert!(checked(|| ParamType::Size, vec![1.0, -1.0]).unwrap_err().starts_with("ring: p.height is -1 µm"));
+        let list = || ParamType::List(Box::new(ParamType::Point));
         let value = vec![Value::from(vec![1.0, 2.0]), Value::from(vec![-3.0, 1.0])];
         assert!(checked(list, value).unwrap_err().starts_with("ring: p[1].x is -3 µm"));
-        assert!(checked(|| Kind::Optional(Box::new(Kind::Number)), Value::Null).is_ok());
+        assert!(checked(|| ParamType::Optional(Box::new(ParamType::Number)), Value::Null).is_ok());
     }
 }

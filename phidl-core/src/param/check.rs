@@ -29,20 +29,20 @@ pub struct Check<'a> {
 
 /// What a parameter is compared with: a number, or a number with a name, `("width", width)`.
 #[derive(Debug, Clone, Copy)]
-pub struct Limit<'a> {
+pub struct Bound<'a> {
     name: Option<&'a str>,
     number: f64,
 }
 
 /// A number that rules compare: lengths, angles and counts.
-pub trait Amount {
+pub trait ToF64 {
     /// The number as a float; counts beyond 2⁵³ to the nearest one.
     fn amount(self) -> f64;
 }
 
 macro_rules! amounts {
     ($($number:ty),*) => {$(
-        impl Amount for $number {
+        impl ToF64 for $number {
             fn amount(self) -> f64 {
                 self as f64
             }
@@ -52,13 +52,13 @@ macro_rules! amounts {
 
 amounts!(f64, f32, i64, i32, i16, i8, u64, u32, u16, u8, usize);
 
-impl<N: Amount> From<N> for Limit<'_> {
+impl<N: ToF64> From<N> for Bound<'_> {
     fn from(number: N) -> Self {
         Self { name: None, number: number.amount() }
     }
 }
 
-impl<'a, N: Amount> From<(&'a str, N)> for Limit<'a> {
+impl<'a, N: ToF64> From<(&'a str, N)> for Bound<'a> {
     fn from((name, number): (&'a str, N)) -> Self {
         Self { name: Some(name), number: number.amount() }
     }
@@ -81,32 +81,32 @@ impl<'a> Check<'a> {
     ///
     /// # Errors
     /// [`ParamError`], here and in all other rules.
-    pub fn finite(&self, param: &str, value: impl Amount) -> Result<()> {
+    pub fn finite(&self, param: &str, value: impl ToF64) -> Result<()> {
         let value = value.amount();
         self.require(param, value, value.is_finite(), || "be finite".to_owned())
     }
 
     /// The parameter must be greater than the limit.
     #[expect(clippy::missing_errors_doc, reason = "stated for all rules in `finite`")]
-    pub fn greater<'l>(&self, param: &str, value: impl Amount, limit: impl Into<Limit<'l>>) -> Result<()> {
+    pub fn greater<'l>(&self, param: &str, value: impl ToF64, limit: impl Into<Bound<'l>>) -> Result<()> {
         self.compare(param, value.amount(), "greater than", limit.into(), |v, limit| v > limit)
     }
 
     /// The parameter must not be less than the limit.
     #[expect(clippy::missing_errors_doc, reason = "stated for all rules in `finite`")]
-    pub fn at_least<'l>(&self, param: &str, value: impl Amount, limit: impl Into<Limit<'l>>) -> Result<()> {
+    pub fn at_least<'l>(&self, param: &str, value: impl ToF64, limit: impl Into<Bound<'l>>) -> Result<()> {
         self.compare(param, value.amount(), "at least", limit.into(), |v, limit| v >= limit)
     }
 
     /// The parameter must be less than the limit.
     #[expect(clippy::missing_errors_doc, reason = "stated for all rules in `finite`")]
-    pub fn less<'l>(&self, param: &str, value: impl Amount, limit: impl Into<Limit<'l>>) -> Result<()> {
+    pub fn less<'l>(&self, param: &str, value: impl ToF64, limit: impl Into<Bound<'l>>) -> Result<()> {
         self.compare(param, value.amount(), "less than", limit.into(), |v, limit| v < limit)
     }
 
     /// The parameter must not be greater than the limit.
     #[expect(clippy::missing_errors_doc, reason = "stated for all rules in `finite`")]
-    pub fn at_most<'l>(&self, param: &str, value: impl Amount, limit: impl Into<Limit<'l>>) -> Result<()> {
+    pub fn at_most<'l>(&self, param: &str, value: impl ToF64, limit: impl Into<Bound<'l>>) -> Result<()> {
         self.compare(param, value.amount(), "at most", limit.into(), |v, limit| v <= limit)
     }
 
@@ -115,9 +115,9 @@ impl<'a> Check<'a> {
     pub fn between<'l>(
         &self,
         param: &str,
-        value: impl Amount,
-        low: impl Into<Limit<'l>>,
-        high: impl Into<Limit<'l>>,
+        value: impl ToF64,
+        low: impl Into<Bound<'l>>,
+        high: impl Into<Bound<'l>>,
     ) -> Result<()> {
         let value = value.amount();
         self.at_least(param, value, low)?;
@@ -141,7 +141,7 @@ impl<'a> Check<'a> {
         param: &str,
         value: f64,
         words: &str,
-        limit: Limit<'_>,
+        limit: Bound<'_>,
         holds: impl Fn(f64, f64) -> bool,
     ) -> Result<()> {
         self.finite(param, value)?;

@@ -2,20 +2,20 @@
 
 use std::collections::BTreeMap;
 
-use super::{Kind, Mismatch, Param, Value};
+use super::{ConversionError, Param, ParamType, Value};
 
 impl<T: Param> Param for Vec<T> {
-    fn kind() -> Kind {
-        Kind::List(Box::new(T::kind()))
+    fn param_type() -> ParamType {
+        ParamType::List(Box::new(T::param_type()))
     }
 
     fn to_value(&self) -> Value {
         Value::List(self.iter().map(T::to_value).collect())
     }
 
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
         let Some(list) = value.as_list() else {
-            return Err(Mismatch::new(value, format!("be a {}", Self::kind())));
+            return Err(ConversionError::new(value, format!("be a {}", Self::param_type())));
         };
         let item = |(i, v)| T::from_value(v).map_err(|mismatch| mismatch.at(format_args!("[{i}]")));
         list.iter().enumerate().map(item).collect()
@@ -23,15 +23,15 @@ impl<T: Param> Param for Vec<T> {
 }
 
 impl<T: Param> Param for Option<T> {
-    fn kind() -> Kind {
-        Kind::Optional(Box::new(T::kind()))
+    fn param_type() -> ParamType {
+        ParamType::Optional(Box::new(T::param_type()))
     }
 
     fn to_value(&self) -> Value {
         self.as_ref().map_or(Value::Null, T::to_some_value)
     }
 
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
         match value {
             Value::Null => Ok(None),
             some => T::from_value(some).map(Some),
@@ -40,17 +40,17 @@ impl<T: Param> Param for Option<T> {
 }
 
 impl<T: Param> Param for BTreeMap<String, T> {
-    fn kind() -> Kind {
-        Kind::Map(Box::new(T::kind()))
+    fn param_type() -> ParamType {
+        ParamType::Map(Box::new(T::param_type()))
     }
 
     fn to_value(&self) -> Value {
         Value::Map(self.iter().map(|(key, v)| (key.clone(), v.to_value())).collect())
     }
 
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
         let Value::Map(map) = value else {
-            return Err(Mismatch::new(value, format!("be a {}", Self::kind())));
+            return Err(ConversionError::new(value, format!("be a {}", Self::param_type())));
         };
         let entry = |(key, v): (&String, &Value)| {
             let v = T::from_value(v).map_err(|mismatch| mismatch.at(format_args!("[{key:?}]")))?;

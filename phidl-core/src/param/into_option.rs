@@ -9,7 +9,7 @@ use super::Value;
 use crate::geom::{Point, Size};
 use crate::layer::{Layer, LayerSet, Layers};
 use crate::port::Port;
-use crate::runtime::{Generator, Recipe};
+use crate::runtime::{Generator, Partial};
 use crate::scene::Device;
 
 /// What is taken for an optional parameter: the option itself, or what converts to its inside without loss.
@@ -66,7 +66,7 @@ options! {
     Port: Port, &Port;
     Device: Device, &Device;
     Value: Value, f64, i32, bool, &str, String;
-    Recipe: Recipe;
+    Partial: Partial;
 }
 
 impl<X: Into<f64>, Y: Into<f64>> IntoOption<Point> for (X, Y) {
@@ -93,8 +93,8 @@ impl<L: Into<Layer>, const N: usize> IntoOption<Layers> for [L; N] {
     }
 }
 
-impl<G: Generator> IntoOption<Recipe> for G {
-    fn into_option(self) -> Option<Recipe> {
+impl<G: Generator> IntoOption<Partial> for G {
+    fn into_option(self) -> Option<Partial> {
         Some(self.into())
     }
 }

@@ -6,21 +6,21 @@
 mod bounds;
 mod check;
 mod collections;
+mod conversion_error;
 mod into_option;
-mod kind;
-mod mismatch;
+mod param_type;
 mod parameter;
 mod serde;
 mod unit;
 mod value;
 
 pub use bounds::Bounds;
-pub use check::{Amount, Check, Limit};
+pub use check::{Bound, Check, ToF64};
+pub use conversion_error::ConversionError;
 pub use into_option::IntoOption;
-pub use kind::Kind;
-pub use mismatch::Mismatch;
+pub use param_type::ParamType;
 pub use parameter::Param;
 pub use value::Value;
 
-pub(crate) use bounds::Site;
+pub(crate) use bounds::ParamPath;
 pub(crate) use value::float_key;

@@ -4,7 +4,7 @@
 //! finished cell, and to and from JSON. Deriving serde for the parameter structs was the alternative; it would have
 //! tied the key to a format, doubled the code of every generator, and said nothing about kinds and places of errors.
 
-use super::{Kind, Mismatch, Value};
+use super::{ConversionError, ParamType, Value};
 use crate::geom::{Point, Size};
 use crate::layer::{Layer, Layers};
 use crate::port::Port;
@@ -15,22 +15,22 @@ use crate::port::Port;
 /// `from_value(&to_value(x))` gives back `x` for every finite `x`, and different `x` have different values.
 ///
 /// ```
-/// use phidl_core::param::{Kind, Mismatch, Param, Value};
+/// use phidl_core::param::{ParamType, ConversionError, Param, Value};
 ///
 /// /// A wafer orientation.
 /// #[derive(Debug, Clone, PartialEq)]
 /// struct Miller([i64; 3]);
 ///
 /// impl Param for Miller {
-///     fn kind() -> Kind {
-///         Kind::Other("three integers")
+///     fn param_type() -> ParamType {
+///         ParamType::Other("three integers")
 ///     }
 ///     fn to_value(&self) -> Value {
 ///         self.0.into()
 ///     }
-///     fn from_value(value: &Value) -> Result<Self, Mismatch> {
+///     fn from_value(value: &Value) -> Result<Self, ConversionError> {
 ///         let list = Vec::<i64>::from_value(value)?;
-///         list.try_into().map(Self).map_err(|_| Mismatch::new(value, "be three integers"))
+///         list.try_into().map(Self).map_err(|_| ConversionError::new(value, "be three integers"))
 ///     }
 /// }
 /// ```
@@ -41,7 +41,7 @@ use crate::port::Port;
 )]
 pub trait Param: Clone + std::fmt::Debug + PartialEq + Send + Sync + 'static {
     /// What it takes, for the registry.
-    fn kind() -> Kind;
+    fn param_type() -> ParamType;
 
     /// The parameter as a plain value.
     fn to_value(&self) -> Value;
@@ -49,8 +49,8 @@ pub trait Param: Clone + std::fmt::Debug + PartialEq + Send + Sync + 'static {
     /// The parameter from a plain value.
     ///
     /// # Errors
-    /// [`Mismatch`] if the value is of another kind. Nothing is rounded or cut to make it fit.
-    fn from_value(value: &Value) -> Result<Self, Mismatch>;
+    /// [`ConversionError`] if the value is of another kind. Nothing is rounded or cut to make it fit.
+    fn from_value(value: &Value) -> Result<Self, ConversionError>;
 
     /// The value inside an option, where null means none.
     #[doc(hidden)]
@@ -60,21 +60,21 @@ pub trait Param: Clone + std::fmt::Debug + PartialEq + Send + Sync + 'static {
 }
 
 impl Param for f64 {
-    fn kind() -> Kind {
-        Kind::Number
+    fn param_type() -> ParamType {
+        ParamType::Number
     }
 
     fn to_value(&self) -> Value {
         Value::Float(*self)
     }
 
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
         /// Up to here every integer is a float.
         const EXACT: i64 = 1 << 53;
         match value {
             Value::Float(v) => Ok(*v),
             Value::Int(v) if (-EXACT..=EXACT).contains(v) => Ok(*v as Self),
-            _ => Err(Mismatch::new(value, "be a number")),
+            _ => Err(ConversionError::new(value, "be a number")),
         }
     }
 }
@@ -94,18 +94,18 @@ fn integer(value: &Value) -> Option<i64> {
 macro_rules! integers {
     ($($int:ty),*) => {$(
         impl Param for $int {
-            fn kind() -> Kind {
-                Kind::Integer
+            fn param_type() -> ParamType {
+                ParamType::Integer
             }
 
             fn to_value(&self) -> Value {
                 (*self).into()
             }
 
-            fn from_value(value: &Value) -> Result<Self, Mismatch> {
+            fn from_value(value: &Value) -> Result<Self, ConversionError> {
                 integer(value).and_then(|v| Self::try_from(v).ok()).ok_or_else(|| {
                     let (min, max) = (Self::MIN, Self::MAX);
-                    Mismatch::new(value, format!("be an integer from {min} to {max}"))
+                    ConversionError::new(value, format!("be an integer from {min} to {max}"))
                 })
             }
         }
@@ -115,141 +115,142 @@ macro_rules! integers {
 integers!(i8, i16, i32, i64, u8, u16, u32, usize);
 
 impl Param for bool {
-    fn kind() -> Kind {
-        Kind::Bool
+    fn param_type() -> ParamType {
+        ParamType::Bool
     }
 
     fn to_value(&self) -> Value {
         Value::Bool(*self)
     }
 
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
         match value {
             Value::Bool(v) => Ok(*v),
-            _ => Err(Mismatch::new(value, "be true or false")),
+            _ => Err(ConversionError::new(value, "be true or false")),
         }
     }
 }
 
 impl Param for String {
-    fn kind() -> Kind {
-        Kind::Text
+    fn param_type() -> ParamType {
+        ParamType::Text
     }
 
     fn to_value(&self) -> Value {
         Value::Text(self.clone())
     }
 
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
-        value.as_str().map(Self::from).ok_or_else(|| Mismatch::new(value, "be text"))
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
+        value.as_str().map(Self::from).ok_or_else(|| ConversionError::new(value, "be text"))
     }
 }
 
 impl Param for char {
-    fn kind() -> Kind {
-        Kind::Character
+    fn param_type() -> ParamType {
+        ParamType::Character
     }
 
     fn to_value(&self) -> Value {
         Value::Text(self.to_string())
     }
 
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
         let mut letters = value.as_str().unwrap_or_default().chars();
         match (letters.next(), letters.next()) {
             (Some(letter), None) => Ok(letter),
-            _ => Err(Mismatch::new(value, "be one character")),
+            _ => Err(ConversionError::new(value, "be one character")),
         }
     }
 }
 
 /// Any value at all, for generators that pass parameters on.
 impl Param for Value {
-    fn kind() -> Kind {
-        Kind::Any
+    fn param_type() -> ParamType {
+        ParamType::Any
     }
 
     fn to_value(&self) -> Value {
         self.clone()
     }
 
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
         Ok(value.clone())
     }
 }
 
 /// The two numbers of a pair.
-fn pair(value: &Value, kind: &Kind, rule: &str) -> Result<(f64, f64), Mismatch> {
+fn pair(value: &Value, kind: &ParamType, rule: &str) -> Result<(f64, f64), ConversionError> {
     let Some([a, b]) = value.as_list() else {
-        return Err(Mismatch::new(value, rule));
+        return Err(ConversionError::new(value, rule));
     };
     let number = |index, v| f64::from_value(v).map_err(|mismatch| mismatch.at(kind.place(index)));
     Ok((number(0, a)?, number(1, b)?))
 }
 
 impl Param for Point {
-    fn kind() -> Kind {
-        Kind::Point
+    fn param_type() -> ParamType {
+        ParamType::Point
     }
 
     fn to_value(&self) -> Value {
         (*self).into()
     }
 
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
-        pair(value, &Kind::Point, "be a point, two numbers").map(Self::from)
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
+        pair(value, &ParamType::Point, "be a point, two numbers").map(Self::from)
     }
 }
 
 impl Param for Size {
-    fn kind() -> Kind {
-        Kind::Size
+    fn param_type() -> ParamType {
+        ParamType::Size
     }
 
     fn to_value(&self) -> Value {
         (*self).into()
     }
 
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
-        pair(value, &Kind::Size, "be a size, two numbers").map(Self::from)
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
+        pair(value, &ParamType::Size, "be a size, two numbers").map(Self::from)
     }
 }
 
 impl Param for Layer {
-    fn kind() -> Kind {
-        Kind::Layer
+    fn param_type() -> ParamType {
+        ParamType::Layer
     }
 
     fn to_value(&self) -> Value {
         (*self).into()
     }
 
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
         let number = |v| u16::from_value(v).ok();
         let layer = match value.as_list() {
             Some([layer, datatype]) => number(layer).zip(number(datatype)).map(Self::from),
             Some(_) => None,
             None => number(value).map(Self::from),
         };
-        layer.ok_or_else(|| Mismatch::new(value, "be a layer, such as 7 or [7, 3], with numbers from 0 to 65535"))
+        layer
+            .ok_or_else(|| ConversionError::new(value, "be a layer, such as 7 or [7, 3], with numbers from 0 to 65535"))
     }
 }
 
 impl Param for Layers {
-    fn kind() -> Kind {
-        Kind::Layers
+    fn param_type() -> ParamType {
+        ParamType::Layers
     }
 
     fn to_value(&self) -> Value {
         self.into()
     }
 
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
         match value {
             Value::Null => Ok(Self::NONE),
             Value::Map(map) => match (map.len(), map.get("layers").and_then(Value::as_list)) {
                 (1, Some(list)) => list.iter().map(Layer::from_value).collect(),
-                _ => Err(Mismatch::new(value, "be a layer, null for none, or {\"layers\": […]} for several")),
+                _ => Err(ConversionError::new(value, "be a layer, null for none, or {\"layers\": […]} for several")),
             },
             single => Layer::from_value(single).map(Self::one),
         }
@@ -269,8 +270,8 @@ impl Param for Layers {
 pub(super) const REFUSED: &str = "refused";
 
 impl Param for Port {
-    fn kind() -> Kind {
-        Kind::Port
+    fn param_type() -> ParamType {
+        ParamType::Port
     }
 
     fn to_value(&self) -> Value {
@@ -283,16 +284,16 @@ impl Param for Port {
         }
     }
 
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
         let rule = "be a port, {\"midpoint\": [x, y], \"width\": …, \"orientation\": …}";
         let Value::Map(map) = value else {
-            return Err(Mismatch::new(value, rule));
+            return Err(ConversionError::new(value, rule));
         };
         let known = ["midpoint", "width", "orientation", "name", "info"];
         if let Some(unknown) = map.keys().find(|key| !known.contains(&key.as_str())) {
-            return Err(Mismatch::new(value, format!("{rule}, without {unknown:?}")));
+            return Err(ConversionError::new(value, format!("{rule}, without {unknown:?}")));
         }
-        let get = |key: &str| map.get(key).ok_or_else(|| Mismatch::new(value, rule));
+        let get = |key: &str| map.get(key).ok_or_else(|| ConversionError::new(value, rule));
         let number = |key| f64::from_value(get(key)?).map_err(|mismatch| mismatch.at(format_args!(".{key}")));
         let midpoint = Point::from_value(get("midpoint")?).map_err(|mismatch| mismatch.at(".midpoint"))?;
         let mut port = Self::new(midpoint, number("width")?, number("orientation")?);
@@ -304,7 +305,7 @@ impl Param for Port {
             Some(Value::Map(info)) => {
                 Ok(info.iter().fold(port, |port, (key, note)| port.with_info(key.as_str(), note.clone())))
             }
-            Some(other) => Err(Mismatch::new(other, "be a map").at(".info")),
+            Some(other) => Err(ConversionError::new(other, "be a map").at(".info")),
         }
     }
 }

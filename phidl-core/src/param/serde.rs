@@ -8,7 +8,7 @@ use serde::de::{Deserialize, Deserializer, Error as _, MapAccess, SeqAccess, Vis
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 use super::{Param as _, Value};
-use crate::runtime::{Recipe, registry};
+use crate::runtime::{Partial, registry};
 use crate::scene::Device;
 
 impl Serialize for Value {
@@ -59,13 +59,13 @@ impl<'de> Deserialize<'de> for Value {
     }
 }
 
-impl<'de> Deserialize<'de> for Recipe {
+impl<'de> Deserialize<'de> for Partial {
     /// `{"device": NAME, "params": {…}}` or `"NAME"`, of a generator that is linked in. Names are looked up, values only
     /// when it is drawn.
     ///
     /// ```
     /// # use phidl_core::prelude::*;
-    /// let unknown: Result<Recipe, _> = serde_json::from_str(r#"{"device": "rign", "params": {"radius": 20}}"#);
+    /// let unknown: Result<Partial, _> = serde_json::from_str(r#"{"device": "rign", "params": {"radius": 20}}"#);
     /// assert!(unknown.unwrap_err().to_string().contains("there is no generator \"rign\""));
     /// ```
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {

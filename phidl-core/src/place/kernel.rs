@@ -1,6 +1,6 @@
 //! The kernel on which the placement words stand.
 
-use super::PlaceFault;
+use super::DeferredError;
 use crate::geom::{Point, Rect, Size, Transform};
 
 /// Something that can be moved, turned, mirrored and scaled as a whole.
@@ -23,7 +23,7 @@ pub trait Transformable {
     /// Keeps the first placement that was refused, until a fallible call can return it.
     ///
     /// Words chain, so they cannot fail in the middle; and a bad value must not pass for a place.
-    fn refuse(&mut self, fault: PlaceFault);
+    fn refuse(&mut self, fault: DeferredError);
 }
 
 /// Something that may take up room. Of an empty thing, the readers give NaN.

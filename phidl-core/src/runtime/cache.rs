@@ -7,7 +7,7 @@
 //! - Whoever asks for a cell that another thread is drawing waits for it and gets the same cell, or the same failure.
 //! - A failure is not stored: the next call runs the body again.
 //! - A body that panics releases those who wait; one of them runs the body again.
-//! - Waiting in a circle, also across threads, is [`Error::Circle`](crate::Error::Circle) for the thread that would
+//! - Waiting in a circle, also across threads, is [`Error::CyclicDependency`](crate::Error::CyclicDependency) for the thread that would
 //!   close the circle.
 
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
@@ -15,7 +15,7 @@ use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 use lru::LruCache;
 use rustc_hash::FxBuildHasher;
 
-use super::Record;
+use super::ParamValues;
 use super::flight::Flights;
 use crate::scene::Device;
 
@@ -62,7 +62,7 @@ pub fn set_limit(bytes: usize) {
 
 /// Everything that threads share.
 pub(super) struct State {
-    done: LruCache<Record, Device, FxBuildHasher>,
+    done: LruCache<ParamValues, Device, FxBuildHasher>,
     limit: usize,
     pub(super) stats: Stats,
     pub(super) flights: Flights,
@@ -82,7 +82,7 @@ impl State {
     }
 
     /// The finished cell, which becomes the most recently used one.
-    pub(super) fn hit(&mut self, key: &Record) -> Option<Device> {
+    pub(super) fn hit(&mut self, key: &ParamValues) -> Option<Device> {
         let device = self.done.get(key)?.clone();
         self.stats.hits += 1;
         Some(device)
@@ -90,7 +90,7 @@ impl State {
 
     /// Keeps a cell, unless one is kept for the key: that one is returned. A cell that is larger than the limit is not
     /// kept, since all others would have to go for it.
-    pub(super) fn keep_first(&mut self, key: &Record, device: Device) -> Device {
+    pub(super) fn keep_first(&mut self, key: &ParamValues, device: Device) -> Device {
         if let Some(first) = self.done.get(key) {
             return first.clone();
         }
@@ -124,7 +124,7 @@ mod tests {
         d.build().unwrap()
     }
 
-    fn key(n: u32) -> Record {
+    fn key(n: u32) -> ParamValues {
         [("n", n.into())].into()
     }
 

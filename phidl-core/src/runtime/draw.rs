@@ -3,7 +3,7 @@
 //! The generic functions are thin shells around ones that are compiled once, so that a hundred generators stay cheap.
 
 use super::flight::{self, Drawing, Turn};
-use super::{Entry, Generator, Record, stack, worker};
+use super::{Generator, GeneratorInfo, ParamValues, stack, worker};
 use crate::error::{Error, Result};
 use crate::scene::Device;
 
@@ -21,9 +21,9 @@ pub(crate) fn build_uncached<G: Generator>(params: &G) -> Result<Device> {
 }
 
 fn run(
-    request: fn(Record, &'static Entry) -> Result<Turn>,
-    mut key: Record,
-    entry: &'static Entry,
+    request: fn(ParamValues, &'static GeneratorInfo) -> Result<Turn>,
+    mut key: ParamValues,
+    entry: &'static GeneratorInfo,
     body: &Body<'_>,
 ) -> Result<Device> {
     let draw = |drawing: Drawing| drawing.end(draw(entry, body));
@@ -34,14 +34,14 @@ fn run(
             Turn::DrawApart(key, end) => {
                 let drawn = worker::apart(&|| draw(flight::start_apart(key.clone(), entry, &end)));
                 // It may be no circle at all, but without a thread there is no way to find out.
-                return drawn.unwrap_or_else(|| Err(Error::Circle { chain: vec![entry.name.to_owned(); 2] }));
+                return drawn.unwrap_or_else(|| Err(Error::CyclicDependency { chain: vec![entry.name.to_owned(); 2] }));
             }
             Turn::Again(same) => key = same,
         }
     }
 }
 
-fn draw(entry: &'static Entry, body: &Body<'_>) -> Result<Device> {
+fn draw(entry: &'static GeneratorInfo, body: &Body<'_>) -> Result<Device> {
     stack::check_bounds()?;
     body().map_err(|error| match error.owner() {
         Some(owner) if owner != entry.name => error.within(entry.name),

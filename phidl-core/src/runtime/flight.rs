@@ -20,7 +20,7 @@ use rustc_hash::FxBuildHasher;
 
 use super::cache::{State, lock};
 use super::stack::{self, Frame};
-use super::{Entry, Record, worker};
+use super::{GeneratorInfo, ParamValues, worker};
 use crate::error::{Error, Result};
 use crate::scene::Device;
 
@@ -28,7 +28,7 @@ use crate::scene::Device;
 #[derive(Default)]
 pub(super) struct Flights {
     /// Those that others may wait for.
-    by_key: HashMap<Record, Arc<Flight>, FxBuildHasher>,
+    by_key: HashMap<ParamValues, Arc<Flight>, FxBuildHasher>,
     /// What a thread waits for.
     waiting: HashMap<ThreadId, Waiting, FxBuildHasher>,
 }
@@ -36,7 +36,7 @@ pub(super) struct Flights {
 /// A thread that waits.
 struct Waiting {
     /// The cell it waits for.
-    wanted: Record,
+    wanted: ParamValues,
     /// What it draws meanwhile.
     stack: Vec<Frame>,
 }
@@ -58,9 +58,9 @@ pub(super) enum Turn {
     /// Draw the cell.
     Draw(Drawing),
     /// Draw the cell on a thread of its own, with [`start_apart`]: here it is not clear whether it needs itself.
-    DrawApart(Record, End),
+    DrawApart(ParamValues, End),
     /// Ask again: the body panicked in the thread that was waited for.
-    Again(Record),
+    Again(ParamValues),
 }
 
 /// The way of the waiting, from the wanted cell on.
@@ -74,13 +74,17 @@ enum Way {
 }
 
 /// Asks for a cell, and waits if another thread is drawing it.
-pub(super) fn request(key: Record, entry: &'static Entry) -> Result<Turn> {
+pub(super) fn request(key: ParamValues, entry: &'static GeneratorInfo) -> Result<Turn> {
     let mut state = lock();
     if let Some(device) = state.hit(&key) {
         return Ok(Turn::Done(device));
     }
     if let Some(chain) = stack::circle(&key) {
-        return if worker::is_one() { Ok(Turn::DrawApart(key, End::Cache)) } else { Err(Error::Circle { chain }) };
+        return if worker::is_one() {
+            Ok(Turn::DrawApart(key, End::Cache))
+        } else {
+            Err(Error::CyclicDependency { chain })
+        };
     }
     let me = this_thread();
     let Some(flight) = state.flights.by_key.get(&key).cloned() else {
@@ -89,7 +93,7 @@ pub(super) fn request(key: Record, entry: &'static Entry) -> Result<Turn> {
     };
     let waiting = Waiting { wanted: key.clone(), stack: stack::copy() };
     match state.flights.way(me, &waiting) {
-        Way::Circle(chain) => Err(Error::Circle { chain }),
+        Way::Circle(chain) => Err(Error::CyclicDependency { chain }),
         Way::Unclear => Ok(Turn::Draw(state.draw_again(key, entry))),
         Way::Open => wait(state, me, key, waiting, &flight, entry),
     }
@@ -98,10 +102,10 @@ pub(super) fn request(key: Record, entry: &'static Entry) -> Result<Turn> {
 fn wait(
     mut state: MutexGuard<'static, State>,
     me: ThreadId,
-    key: Record,
+    key: ParamValues,
     waiting: Waiting,
     flight: &Flight,
-    entry: &'static Entry,
+    entry: &'static GeneratorInfo,
 ) -> Result<Turn> {
     state.flights.waiting.insert(me, waiting);
     let mut patient = true;
@@ -121,29 +125,29 @@ fn wait(
 }
 
 /// Asks to draw a cell which nobody else will get.
-pub(super) fn request_uncached(key: Record, entry: &'static Entry) -> Result<Turn> {
+pub(super) fn request_uncached(key: ParamValues, entry: &'static GeneratorInfo) -> Result<Turn> {
     match stack::circle(&key) {
         None => Ok(Turn::Draw(Drawing::begin(key, entry, End::Nobody))),
         Some(_) if worker::is_one() => Ok(Turn::DrawApart(key, End::Nobody)),
-        Some(chain) => Err(Error::Circle { chain }),
+        Some(chain) => Err(Error::CyclicDependency { chain }),
     }
 }
 
 /// Starts to draw a cell that the thread which waits for this one is drawing already.
-pub(super) fn start_apart(key: Record, entry: &'static Entry, end: &End) -> Drawing {
+pub(super) fn start_apart(key: ParamValues, entry: &'static GeneratorInfo, end: &End) -> Drawing {
     Drawing::begin(key, entry, end.clone())
 }
 
 impl State {
     /// Draws a cell here that another thread is drawing, too: the one that is finished first is kept.
-    fn draw_again(&mut self, key: Record, entry: &'static Entry) -> Drawing {
+    fn draw_again(&mut self, key: ParamValues, entry: &'static GeneratorInfo) -> Drawing {
         self.stats.misses += 1;
         Drawing::begin(key, entry, End::Cache)
     }
 }
 
 impl Flights {
-    fn start(&mut self, me: ThreadId, key: Record, entry: &'static Entry) -> Drawing {
+    fn start(&mut self, me: ThreadId, key: ParamValues, entry: &'static GeneratorInfo) -> Drawing {
         let (outcome, ended) = (OnceLock::new(), Condvar::new());
         let flight = Arc::new(Flight { thread: me, on_worker: worker::is_one(), outcome, ended });
         self.by_key.insert(key.clone(), Arc::clone(&flight));
@@ -189,7 +193,7 @@ pub(super) enum End {
 }
 
 impl Drawing {
-    fn begin(key: Record, entry: &'static Entry, end: End) -> Self {
+    fn begin(key: ParamValues, entry: &'static GeneratorInfo, end: End) -> Self {
         stack::push(key, entry);
         Self { end: Some(end) }
     }
@@ -200,7 +204,7 @@ impl Drawing {
     pub(super) fn end(mut self, result: Result<Device>) -> Result<Device> {
         let (end, frame) = (self.end.take(), stack::pop());
         let Frame { key, entry } = frame.expect("invariant: the body that ends is on the stack");
-        let signed = |record: Record| result.map(|device| device.with_source(entry.source(record)));
+        let signed = |record: ParamValues| result.map(|device| device.with_source(entry.source(record)));
         let Some(end @ (End::Cache | End::Waiting(_))) = end else { return signed(key) };
         let result = signed(key.clone());
         let mut state = lock();
@@ -223,7 +227,7 @@ impl Drop for Drawing {
 }
 
 impl Flights {
-    fn land(&mut self, key: &Record, flight: &Flight, outcome: Option<Result<Device>>) {
+    fn land(&mut self, key: &ParamValues, flight: &Flight, outcome: Option<Result<Device>>) {
         self.by_key.remove(key);
         let fresh = flight.outcome.set(outcome);
         debug_assert!(fresh.is_ok(), "invariant: a flight ends with its drawing, once");

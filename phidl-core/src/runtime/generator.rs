@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Entry, Reader, Record, draw};
+use super::{GeneratorInfo, ParamReader, ParamValues, draw};
 use crate::error::Result;
 use crate::param::Value;
 use crate::scene::Device;
@@ -12,14 +12,14 @@ use crate::scene::Device;
 /// It is not meant to be implemented by hand; its hidden items are what the macro fills in and may change.
 pub trait Generator: Clone + std::fmt::Debug + PartialEq + Send + Sync + Sized + 'static {
     /// What the registry knows of the generator.
-    fn entry() -> &'static Entry;
+    fn entry() -> &'static GeneratorInfo;
 
     /// Every parameter as a plain value.
-    fn record(&self) -> Record;
+    fn record(&self) -> ParamValues;
 
     /// Takes every parameter from plain values, or its default.
     #[doc(hidden)]
-    fn read(from: &Reader<'_>) -> Result<Self>;
+    fn read(from: &ParamReader<'_>) -> Result<Self>;
 
     /// The defaults, in the generator's order.
     #[doc(hidden)]
@@ -28,7 +28,7 @@ pub trait Generator: Clone + std::fmt::Debug + PartialEq + Send + Sync + Sized +
     /// What galleries and tests draw.
     #[doc(hidden)]
     fn example() -> Result<Self> {
-        Self::read(&Reader::new(Self::entry(), &BTreeMap::new())?)
+        Self::read(&ParamReader::new(Self::entry(), &BTreeMap::new())?)
     }
 
     /// Runs the body.
@@ -38,7 +38,7 @@ pub trait Generator: Clone + std::fmt::Debug + PartialEq + Send + Sync + Sized +
     /// The cell with these parameters: drawn when first asked for, then from the cache.
     ///
     /// # Errors
-    /// A bound that a parameter breaks, [`Error::Circle`](crate::Error::Circle), and what the body says.
+    /// A bound that a parameter breaks, [`Error::CyclicDependency`](crate::Error::CyclicDependency), and what the body says.
     fn build(&self) -> Result<Device> {
         draw::build(self)
     }

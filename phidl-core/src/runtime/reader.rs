@@ -1,25 +1,25 @@
-//! [`Reader`]: the parameters of a generator taken from plain values.
+//! [`ParamReader`]: the parameters of a generator taken from plain values.
 
 use std::collections::BTreeMap;
 
-use super::Entry;
-use crate::error::{Error, Noun, ParamError, Result};
+use super::GeneratorInfo;
+use crate::error::{Error, ItemKind, ParamError, Result};
 use crate::param::{Param, Value};
 
 /// Plain values from which a generator takes its parameters by name. (Generated code reads from it.)
-pub struct Reader<'a> {
-    entry: &'static Entry,
+pub struct ParamReader<'a> {
+    entry: &'static GeneratorInfo,
     given: &'a BTreeMap<String, Value>,
 }
 
-impl<'a> Reader<'a> {
+impl<'a> ParamReader<'a> {
     /// Refuses names that the generator does not have.
-    pub(super) fn new(entry: &'static Entry, given: &'a BTreeMap<String, Value>) -> Result<Self> {
+    pub(super) fn new(entry: &'static GeneratorInfo, given: &'a BTreeMap<String, Value>) -> Result<Self> {
         match given.keys().find(|key| !entry.names().any(|name| name == key.as_str())) {
             None => Ok(Self { entry, given }),
             Some(name) => Err(Error::Unknown {
                 owner: entry.name.into(),
-                kind: Noun::Parameter,
+                kind: ItemKind::Parameter,
                 name: name.as_str().into(),
                 known: entry.names().map(str::to_owned).collect(),
             }),
@@ -34,7 +34,7 @@ impl<'a> Reader<'a> {
     #[doc(hidden)]
     pub fn required<T: Param>(&self, index: usize) -> Result<T> {
         self.given(index)?.ok_or_else(|| {
-            let rule = format!("be given: it has no default and takes {}", T::kind());
+            let rule = format!("be given: it has no default and takes {}", T::param_type());
             let (device, param) = (self.entry.name.to_owned(), self.entry.row(index).name.to_owned());
             ParamError { device, param, value: "missing".to_owned(), rule }.into()
         })

@@ -6,23 +6,23 @@
 use std::borrow::Cow;
 use std::sync::LazyLock;
 
-use super::Entry;
-use crate::error::{Error, Noun, Result};
+use super::GeneratorInfo;
+use crate::error::{Error, ItemKind, Result};
 
 /// What `#[device]` hands in.
 #[doc(hidden)]
-pub struct Registered(pub fn() -> &'static Entry);
+pub struct Registered(pub fn() -> &'static GeneratorInfo);
 
 inventory::collect!(Registered);
 
-static ENTRIES: LazyLock<Vec<&'static Entry>> = LazyLock::new(|| {
+static ENTRIES: LazyLock<Vec<&'static GeneratorInfo>> = LazyLock::new(|| {
     let mut entries: Vec<_> = inventory::iter::<Registered>.into_iter().map(|registered| (registered.0)()).collect();
     entries.sort_by_key(|entry| (entry.name, entry.module));
     entries
 });
 
 /// All generators, by name and then by module.
-pub fn all() -> impl ExactSizeIterator<Item = &'static Entry> {
+pub fn all() -> impl ExactSizeIterator<Item = &'static GeneratorInfo> {
     ENTRIES.iter().copied()
 }
 
@@ -30,13 +30,13 @@ pub fn all() -> impl ExactSizeIterator<Item = &'static Entry> {
 ///
 /// # Errors
 /// [`Error::Unknown`] with the names that are there; [`Error::Refused`] if the name alone does not say which one.
-pub fn find(name: &str) -> Result<&'static Entry> {
+pub fn find(name: &str) -> Result<&'static GeneratorInfo> {
     let found: Vec<_> = all().filter(|entry| entry.name == name || path(entry.module, entry.name) == name).collect();
     match found[..] {
         [entry] => Ok(entry),
         [] => Err(Error::Unknown {
             owner: "registry".into(),
-            kind: Noun::Generator,
+            kind: ItemKind::Generator,
             name: name.into(),
             known: all().map(|entry| entry.name.to_owned()).collect(),
         }),

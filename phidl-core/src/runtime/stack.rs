@@ -5,14 +5,14 @@
 
 use std::cell::RefCell;
 
-use super::{Entry, Record};
+use super::{GeneratorInfo, ParamValues};
 use crate::error::Result;
 
 /// A body that runs.
 #[derive(Clone)]
 pub(super) struct Frame {
-    pub(super) key: Record,
-    pub(super) entry: &'static Entry,
+    pub(super) key: ParamValues,
+    pub(super) entry: &'static GeneratorInfo,
 }
 
 thread_local! {
@@ -21,7 +21,7 @@ thread_local! {
 }
 
 /// Notes that a body begins.
-pub(super) fn push(key: Record, entry: &'static Entry) {
+pub(super) fn push(key: ParamValues, entry: &'static GeneratorInfo) {
     OWN.with_borrow_mut(|stack| stack.push(Frame { key, entry }));
 }
 
@@ -41,7 +41,7 @@ pub(super) fn copy() -> Vec<Frame> {
 }
 
 /// The names from a cell upwards and its own once more, if this thread is drawing it.
-pub(super) fn circle(key: &Record) -> Option<Vec<String>> {
+pub(super) fn circle(key: &ParamValues) -> Option<Vec<String>> {
     OWN.with_borrow(|stack| {
         let place = stack.iter().position(|frame| frame.key == *key)?;
         let names = stack[place..].iter().chain([&stack[place]]);
@@ -50,11 +50,11 @@ pub(super) fn circle(key: &Record) -> Option<Vec<String>> {
 }
 
 /// The names from a cell upwards.
-pub(super) fn names_from(stack: &[Frame], key: &Record) -> Vec<String> {
+pub(super) fn names_from(stack: &[Frame], key: &ParamValues) -> Vec<String> {
     stack.iter().skip_while(|frame| frame.key != *key).map(|frame| frame.entry.name.to_owned()).collect()
 }
 
 /// What this thread is drawing, innermost first, until `find` has found something.
-pub(super) fn search<T>(find: impl FnMut(&'static Entry) -> Option<T>) -> Option<T> {
+pub(super) fn search<T>(find: impl FnMut(&'static GeneratorInfo) -> Option<T>) -> Option<T> {
     OWN.with_borrow(|stack| stack.iter().rev().map(|frame| frame.entry).find_map(find))
 }

@@ -11,11 +11,11 @@ use super::{
     Cell, Device, Element, Group, Key, Label, LabelKey, OpenCell, Polygon, PolygonKey, PolygonView, Reference,
     ReferenceKey,
 };
-use crate::error::{Error, Noun, Result};
+use crate::error::{Error, ItemKind, Result};
 use crate::geom::{Outline, Point, Rect, Transform};
 use crate::layer::{Layer, Layers};
 use crate::param::Value;
-use crate::place::{Bounded, PlaceFault, Transformable};
+use crate::place::{Bounded, DeferredError, Transformable};
 use crate::port::Port;
 
 /// The open cell: the only thing that can be edited. [`DeviceBuilder::build`] finishes it.
@@ -96,7 +96,7 @@ impl DeviceBuilder {
         if self.cell.aliases.push(Alias { name: SmolStr::new(alias), place }).is_err() {
             self.keep(Error::Duplicate {
                 device: self.cell.name.as_str().into(),
-                kind: Noun::Alias,
+                kind: ItemKind::Alias,
                 name: alias.into(),
             });
         }
@@ -151,7 +151,7 @@ impl DeviceBuilder {
             Ok(()) => Ok(self),
             Err(port) => {
                 let device = self.cell.name.as_str().into();
-                Err(Error::Duplicate { device, kind: Noun::Port, name: port.name().into() })
+                Err(Error::Duplicate { device, kind: ItemKind::Port, name: port.name().into() })
             }
         }
     }
@@ -281,7 +281,7 @@ impl DeviceBuilder {
     /// [`Error::Unknown`] if it was removed, belongs to another cell, or was drawn on no layer.
     pub fn polygon(&self, key: PolygonKey) -> Result<PolygonView<'_>> {
         let place = self.polygon_places(key)?.first().copied();
-        place.map(|place| self.cell.outlines.get(place)).ok_or_else(|| self.lost(Noun::Polygon, key.first))
+        place.map(|place| self.cell.outlines.get(place)).ok_or_else(|| self.lost(ItemKind::Polygon, key.first))
     }
 
     /// The label under a key.
@@ -325,12 +325,12 @@ impl DeviceBuilder {
 
     pub(super) fn reference_place(&self, key: ReferenceKey) -> Result<usize> {
         let place = self.removed_references.place(key.0).filter(|place| *place < self.cell.references.len());
-        place.ok_or_else(|| self.lost(Noun::Reference, key.0))
+        place.ok_or_else(|| self.lost(ItemKind::Reference, key.0))
     }
 
     pub(super) fn label_place(&self, key: LabelKey) -> Result<usize> {
         let place = self.removed_labels.place(key.0).filter(|place| *place < self.cell.labels.len());
-        place.ok_or_else(|| self.lost(Noun::Label, key.0))
+        place.ok_or_else(|| self.lost(ItemKind::Label, key.0))
     }
 
     /// The places of all copies of a polygon that are still there. (A copy may have gone with its layer.)
@@ -340,10 +340,10 @@ impl DeviceBuilder {
             .filter_map(|number| self.removed_polygons.place(number))
             .filter(|place| *place < self.cell.outlines.len())
             .collect();
-        if places.is_empty() && key.copies > 0 { Err(self.lost(Noun::Polygon, key.first)) } else { Ok(places) }
+        if places.is_empty() && key.copies > 0 { Err(self.lost(ItemKind::Polygon, key.first)) } else { Ok(places) }
     }
 
-    fn lost(&self, kind: Noun, number: usize) -> Error {
+    fn lost(&self, kind: ItemKind, number: usize) -> Error {
         Error::Unknown {
             owner: self.cell.name.as_str().into(),
             kind,
@@ -546,7 +546,7 @@ impl Transformable for DeviceBuilder {
         self.cell.transform_mut(by);
     }
 
-    fn refuse(&mut self, fault: PlaceFault) {
+    fn refuse(&mut self, fault: DeferredError) {
         let error = fault.into_error(&self.cell.name, "the cell");
         self.keep(error);
     }

@@ -7,7 +7,7 @@ use smol_str::SmolStr;
 use super::by_name::{ByName, Named};
 use super::outlines::Outlines;
 use super::{Label, Reference, Source};
-use crate::error::{Error, Noun, Result};
+use crate::error::{Error, ItemKind, Result};
 use crate::geom::{Rect, Transform};
 use crate::param::Value;
 use crate::place::{Bounded, Transformable};
@@ -42,13 +42,13 @@ impl Named for Alias {
 
 impl Cell {
     pub(crate) fn port(&self, name: &str) -> Result<&Port> {
-        self.ports.get(name).ok_or_else(|| self.unknown(Noun::Port, name, self.ports.names()))
+        self.ports.get(name).ok_or_else(|| self.unknown(ItemKind::Port, name, self.ports.names()))
     }
 
     /// The place of the reference with this alias.
     pub(crate) fn alias(&self, alias: &str) -> Result<usize> {
         let found = self.aliases.get(alias).map(|alias| alias.place);
-        found.ok_or_else(|| self.unknown(Noun::Alias, alias, self.aliases.names()))
+        found.ok_or_else(|| self.unknown(ItemKind::Alias, alias, self.aliases.names()))
     }
 
     pub(crate) fn bbox(&self) -> Option<Rect> {
@@ -64,7 +64,7 @@ impl Cell {
         self.ports.iter_mut().for_each(|port| port.transform_mut(by));
     }
 
-    pub(crate) fn unknown<'a>(&self, kind: Noun, name: &str, known: impl Iterator<Item = &'a str>) -> Error {
+    pub(crate) fn unknown<'a>(&self, kind: ItemKind, name: &str, known: impl Iterator<Item = &'a str>) -> Error {
         let known = known.map(str::to_owned).collect();
         Error::Unknown { owner: self.name.as_str().into(), kind, name: name.into(), known }
     }

@@ -3,19 +3,19 @@
 use std::collections::BTreeMap;
 
 use super::flatten::{all_labels, all_outlines};
-use super::rewrite::rewrite_below;
+use super::map_cells::rewrite_below;
 use super::{Cell, Device, DeviceBuilder, Key, Label, PolygonKey, Properties, ReferenceKey};
-use crate::error::{Error, Noun, Result};
+use crate::error::{Error, ItemKind, Result};
 use crate::geom::simplified;
 use crate::layer::{Layer, Layers};
 
 /// What an edit of layers applies to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Affects {
+pub enum LayerTarget {
     /// Polygons and labels.
-    Everything,
+    All,
     /// Polygons only; labels stay as they are.
-    Polygons,
+    PolygonsOnly,
 }
 
 impl DeviceBuilder {
@@ -66,7 +66,7 @@ impl DeviceBuilder {
     pub fn rename_port(&mut self, name: &str, new: &str) -> Result<&mut Self> {
         if new != name && self.cell.ports.place(new).is_some() {
             let device = self.cell.name.as_str().into();
-            return Err(Error::Duplicate { device, kind: Noun::Port, name: new.into() });
+            return Err(Error::Duplicate { device, kind: ItemKind::Port, name: new.into() });
         }
         let port = self.cell.port(name)?.clone().named(new);
         if let Some(place) = self.cell.ports.place(name) {
@@ -159,24 +159,24 @@ impl DeviceBuilder {
     /// let mut d = Device::builder("pair");
     /// d.add_polygon([(0, 0), (1, 0), (0, 1)], 6)?;
     /// d.add_polygon([(0, 0), (1, 0), (0, 1)], (8, 2))?;
-    /// d.remap_layers([((8, 2).into(), 99.into()), (6.into(), 77.into())], Affects::Everything);
+    /// d.remap_layers([((8, 2).into(), 99.into()), (6.into(), 77.into())], LayerTarget::All);
     /// assert_eq!(d.build()?.layers(), [Layer::new(77, 0), Layer::new(99, 0)]);
     /// # Ok::<(), phidl_core::Error>(())
     /// ```
-    pub fn remap_layers(&mut self, map: impl IntoIterator<Item = (Layer, Layer)>, affects: Affects) -> &mut Self {
+    pub fn remap_layers(&mut self, map: impl IntoIterator<Item = (Layer, Layer)>, affects: LayerTarget) -> &mut Self {
         let map: BTreeMap<Layer, Layer> = map.into_iter().collect();
         rewrite_below(&mut self.cell, |cell| remap(cell, &map, affects));
         self
     }
 
     /// Removes what is drawn on some layers, here and in copies of all cells below.
-    pub fn remove_layers(&mut self, layers: impl Into<Layers>, affects: Affects) -> &mut Self {
+    pub fn remove_layers(&mut self, layers: impl Into<Layers>, affects: LayerTarget) -> &mut Self {
         let layers = layers.into();
         self.keep_where(affects, |layer| !layers.contains(layer))
     }
 
     /// Removes what is not drawn on some layers, here and in copies of all cells below.
-    pub fn keep_layers(&mut self, layers: impl Into<Layers>, affects: Affects) -> &mut Self {
+    pub fn keep_layers(&mut self, layers: impl Into<Layers>, affects: LayerTarget) -> &mut Self {
         let layers = layers.into();
         self.keep_where(affects, |layer| layers.contains(layer))
     }
@@ -199,7 +199,7 @@ impl DeviceBuilder {
         Ok(self)
     }
 
-    fn keep_where(&mut self, affects: Affects, keep: impl Fn(Layer) -> bool) -> &mut Self {
+    fn keep_where(&mut self, affects: LayerTarget, keep: impl Fn(Layer) -> bool) -> &mut Self {
         let mut removed = (Vec::new(), Vec::new());
         // The open cell itself comes last; its removals are the ones that keys must know of.
         rewrite_below(&mut self.cell, |cell| {
@@ -217,7 +217,7 @@ impl DeviceBuilder {
     }
 }
 
-fn remap(cell: &mut Cell, map: &BTreeMap<Layer, Layer>, affects: Affects) -> bool {
+fn remap(cell: &mut Cell, map: &BTreeMap<Layer, Layer>, affects: LayerTarget) -> bool {
     let mut any = false;
     for place in 0..cell.outlines.len() {
         if let Some(layer) = map.get(&cell.outlines.get(place).layer) {
@@ -225,7 +225,7 @@ fn remap(cell: &mut Cell, map: &BTreeMap<Layer, Layer>, affects: Affects) -> boo
             any = true;
         }
     }
-    if affects == Affects::Everything {
+    if affects == LayerTarget::All {
         for label in &mut cell.labels {
             if let Some(layer) = map.get(&label.layer) {
                 label.layer = *layer;
@@ -237,10 +237,10 @@ fn remap(cell: &mut Cell, map: &BTreeMap<Layer, Layer>, affects: Affects) -> boo
 }
 
 /// Removes what is not to be kept; returns the places of removed polygons and labels.
-fn retain_layers(cell: &mut Cell, affects: Affects, keep: &impl Fn(Layer) -> bool) -> (Vec<usize>, Vec<usize>) {
+fn retain_layers(cell: &mut Cell, affects: LayerTarget, keep: &impl Fn(Layer) -> bool) -> (Vec<usize>, Vec<usize>) {
     let polygons = cell.outlines.retain(|polygon| keep(polygon.layer));
     let mut labels = Vec::new();
-    if affects == Affects::Everything {
+    if affects == LayerTarget::All {
         labels = (0..cell.labels.len()).filter(|place| !keep(cell.labels[*place].layer)).collect();
         cell.labels.retain(|label| keep(label.layer));
     }

@@ -2,7 +2,7 @@
 
 use super::{Device, Label, Polygon, Reference};
 use crate::geom::{Point, Rect, Transform};
-use crate::place::{Arrange, Bounded, PlaceFault, Transformable};
+use crate::place::{Align, Bounded, DeferredError, Transformable};
 
 /// Something that has a place in a cell.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,7 +27,7 @@ pub enum Element {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Group {
     members: Vec<Element>,
-    fault: Option<Box<PlaceFault>>,
+    fault: Option<Box<DeferredError>>,
 }
 
 impl Group {
@@ -62,7 +62,7 @@ impl Group {
         self.members.is_empty()
     }
 
-    pub(crate) fn fault(&self) -> Option<PlaceFault> {
+    pub(crate) fn fault(&self) -> Option<DeferredError> {
         self.fault.as_deref().copied()
     }
 }
@@ -113,12 +113,12 @@ impl Transformable for Group {
         self.members.iter_mut().for_each(|member| member.transform_mut(by));
     }
 
-    fn refuse(&mut self, fault: PlaceFault) {
+    fn refuse(&mut self, fault: DeferredError) {
         self.fault.get_or_insert(Box::new(fault));
     }
 }
 
-impl Arrange for Group {
+impl Align for Group {
     fn member_boxes(&self) -> Vec<Option<Rect>> {
         self.members.iter().map(Bounded::bbox).collect()
     }
@@ -127,7 +127,7 @@ impl Arrange for Group {
         self.members[index].transform_mut(&Transform::translation(by));
     }
 
-    fn refuse_arrangement(&mut self, fault: PlaceFault) {
+    fn refuse_arrangement(&mut self, fault: DeferredError) {
         self.refuse(fault);
     }
 }
@@ -151,7 +151,7 @@ impl Transformable for Element {
         }
     }
 
-    fn refuse(&mut self, fault: PlaceFault) {
+    fn refuse(&mut self, fault: DeferredError) {
         match self {
             Self::Reference(reference) => reference.refuse(fault),
             Self::Polygon(polygon) => polygon.refuse(fault),

@@ -3,7 +3,7 @@
 use super::{Group, Properties};
 use crate::geom::{Point, Rect, Transform};
 use crate::layer::Layer;
-use crate::place::{Bounded, PlaceFault, Transformable};
+use crate::place::{Bounded, DeferredError, Transformable};
 
 /// Which point of the text stands at the label's position.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -39,7 +39,7 @@ pub struct Label {
     /// Texts that a file keeps with it.
     pub properties: Properties,
     transform: Transform,
-    fault: Option<Box<PlaceFault>>,
+    fault: Option<Box<DeferredError>>,
 }
 
 impl Label {
@@ -85,7 +85,7 @@ impl Label {
         &self.transform
     }
 
-    pub(crate) fn fault(&self) -> Option<PlaceFault> {
+    pub(crate) fn fault(&self) -> Option<DeferredError> {
         self.fault.as_deref().copied()
     }
 }
@@ -101,7 +101,7 @@ impl Transformable for Label {
         self.transform = self.transform.then(by);
     }
 
-    fn refuse(&mut self, fault: PlaceFault) {
+    fn refuse(&mut self, fault: DeferredError) {
         self.fault.get_or_insert(Box::new(fault));
     }
 }

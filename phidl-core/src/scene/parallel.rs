@@ -169,7 +169,7 @@ fn position(element: usize, rows: u32) -> (u32, u32) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::place::Place;
+    use crate::place::Movable;
     use crate::scene::flatten::amounts;
 
     fn dot(size: i32) -> Device {

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::Group;
 use crate::geom::{Outline, Point, Rect, Transform, signed_area, simplified};
 use crate::layer::Layers;
-use crate::place::{Bounded, PlaceFault, Refusal, Transformable};
+use crate::place::{Bounded, DeferredError, Refusal, Transformable};
 
 /// Numbered texts that a file keeps with an element (GDSII's property attributes).
 pub type Properties = BTreeMap<u16, String>;
@@ -21,7 +21,7 @@ pub struct Polygon {
     pub layers: Layers,
     /// Texts that a file keeps with it.
     pub properties: Properties,
-    pub(crate) fault: Option<Box<PlaceFault>>,
+    pub(crate) fault: Option<Box<DeferredError>>,
 }
 
 impl Polygon {
@@ -55,7 +55,7 @@ impl Polygon {
                 self.points = simple;
             }
         } else {
-            self.refuse(PlaceFault { word: "simplify", refusal: Refusal::BadTolerance(tolerance) });
+            self.refuse(DeferredError { word: "simplify", refusal: Refusal::BadTolerance(tolerance) });
         }
         self
     }
@@ -73,7 +73,7 @@ impl Transformable for Polygon {
         self.points.iter_mut().for_each(|p| *p = matrix.apply(*p));
     }
 
-    fn refuse(&mut self, fault: PlaceFault) {
+    fn refuse(&mut self, fault: DeferredError) {
         self.fault.get_or_insert(Box::new(fault));
     }
 }

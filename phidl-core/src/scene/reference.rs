@@ -4,7 +4,7 @@ use super::{Device, Group, Properties};
 use crate::error::{Error, Result};
 use crate::geom::{Point, Rect, Transform};
 use crate::num::angle;
-use crate::place::{Bounded, Place, PlaceFault, Transformable};
+use crate::place::{Bounded, DeferredError, Movable, Transformable};
 use crate::port::Port;
 
 /// One placement of a [`Device`], or a regular array of placements: a plain value. Make it with [`Device::place`] or
@@ -31,7 +31,7 @@ pub struct Reference {
     array: Option<Box<Array>>,
     /// Texts that a file keeps with it.
     pub properties: Properties,
-    fault: Option<Box<PlaceFault>>,
+    fault: Option<Box<DeferredError>>,
 }
 
 /// The lattice of an array. Steps are measured in the array's own frame: they are mirrored and turned with the
@@ -255,7 +255,7 @@ impl Reference {
     /// # let mut d = Device::builder("pad");
     /// # d.add_polygon([(0, 0), (4, 0), (4, 2), (0, 2)], 1)?;
     /// # let pad = d.build()?;
-    /// let moved = pad.place().moved_by((10, 0)).alone()?;
+    /// let moved = pad.place().moved_by((10, 0)).to_device()?;
     /// assert_eq!(moved.bbox(), Some(Rect::new((10, 0), (14, 2))));
     /// # Ok::<(), Error>(())
     /// ```
@@ -263,7 +263,7 @@ impl Reference {
     /// # Errors
     /// As for [`DeviceBuilder::add`](crate::scene::DeviceBuilder::add): a placement that is not finite, or that refused
     /// a word.
-    pub fn alone(&self) -> Result<Device> {
+    pub fn to_device(&self) -> Result<Device> {
         let mut d = Device::builder(self.device.name());
         d.add(self.clone());
         d.add_ports(self.ports())?;
@@ -329,7 +329,7 @@ impl Transformable for Reference {
         }
     }
 
-    fn refuse(&mut self, fault: PlaceFault) {
+    fn refuse(&mut self, fault: DeferredError) {
         self.fault.get_or_insert(Box::new(fault));
     }
 }

@@ -1,6 +1,6 @@
 //! [`Source`]: which generator drew a cell, and with what.
 
-use crate::runtime::Record;
+use crate::runtime::ParamValues;
 
 /// The generator of a finished cell with every parameter it was called with.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -12,5 +12,5 @@ pub struct Source {
     /// Version of the crate it stands in.
     pub version: &'static str,
     /// Every parameter in the generator's order, by its registered name.
-    pub params: Record,
+    pub params: ParamValues,
 }

@@ -286,13 +286,13 @@ impl Device {
     ///
     /// Those of an array come row by row, and their info has `array_idx`, row and column, of the outermost array.
     #[must_use]
-    pub fn ports_below(&self, depth: Option<usize>) -> Vec<Port> {
+    pub fn ports_recursive(&self, depth: Option<usize>) -> Vec<Port> {
         let mut ports: Vec<Port> = self.ports().cloned().collect();
         if depth == Some(0) {
             return ports;
         }
         for reference in self.references() {
-            let inner = reference.device().ports_below(depth.map(|d| d - 1));
+            let inner = reference.device().ports_recursive(depth.map(|d| d - 1));
             match reference.array() {
                 None => ports.extend(inner.into_iter().map(|port| placed(port, &reference.element(0, 0)))),
                 Some(array) => {

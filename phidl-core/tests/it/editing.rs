@@ -30,10 +30,10 @@ fn polygon_keys_cover_all_copies_and_survive_removals() {
     let pair = d.add_polygon([(0, 0), (2, 0), (0, 2)], [1, 2]).unwrap();
     let none = d.add_polygon([(0, 0), (2, 0), (0, 2)], Layers::NONE).unwrap();
     d.remove(first).unwrap();
-    d.at(pair).move_by((10, 0));
+    d.select(pair).move_by((10, 0));
     assert!(d.polygons().all(|p| p.points[0] == Point::new(10.0, 0.0)));
     assert!(d.polygon(none).is_err());
-    d.remove_layers(1, Affects::Everything);
+    d.remove_layers(1, LayerTarget::All);
     assert_eq!(d.polygon(pair).unwrap().layer, Layer::new(2, 0));
     d.remove(pair).unwrap();
     assert_eq!(d.polygons().len(), 0);
@@ -79,7 +79,7 @@ fn layers_are_exchanged_all_the_way_down_and_once() {
     d.add(dot(2));
     d.add(dot(3));
     let untouched = d.references().nth(2).unwrap().device().clone();
-    d.remap_layers([(1.into(), 2.into()), (2.into(), 1.into())], Affects::Polygons);
+    d.remap_layers([(1.into(), 2.into()), (2.into(), 1.into())], LayerTarget::PolygonsOnly);
     let d = d.build().unwrap();
     let drawn: Vec<u16> = d.flat_polygons().map(|p| p.layer.unwrap().number).collect();
     assert_eq!(drawn, [2, 1, 3]);
@@ -94,7 +94,7 @@ fn a_cell_that_is_placed_twice_is_rewritten_once() {
     let shared = dot(1);
     d.add(&shared);
     d.add(&shared);
-    d.keep_layers(7, Affects::Everything);
+    d.keep_layers(7, LayerTarget::All);
     let d = d.build().unwrap();
     assert!(d.references()[0].device().same_cell(d.references()[1].device()));
     assert!(d.is_empty() && d.flattened().labels().is_empty());
@@ -143,7 +143,7 @@ fn info_is_told_of_every_cell_below_once() {
     b.add(&a);
     b.info("own", true);
     let b = b.build().unwrap();
-    let below: Vec<_> = b.info_below().into_iter().map(|(cell, info)| (cell.name().to_owned(), info)).collect();
+    let below: Vec<_> = b.descendant_info().into_iter().map(|(cell, info)| (cell.name().to_owned(), info)).collect();
     assert_eq!(below.len(), 1);
     assert_eq!((below[0].0.as_str(), &below[0].1["length"]), ("a", &Value::from(3.5)));
     assert_eq!(b.info()["own"], Value::from(true));
@@ -204,7 +204,7 @@ fn a_rewritten_hierarchy_shares_its_copies_and_leaves_the_originals_alone() {
     let top = top.build().unwrap();
 
     let mut order = Vec::new();
-    let copy = top.rewritten(|cell| {
+    let copy = top.map_cells(|cell| {
         order.push(cell.name().to_owned());
         cell.add_polygon([(0, 0), (2, 0), (0, 2)], 2)?;
         Ok(())
@@ -214,5 +214,5 @@ fn a_rewritten_hierarchy_shares_its_copies_and_leaves_the_originals_alone() {
     assert_eq!((top.flat_counts().0, copy.flat_counts().0), (7, 2 * 7 + 2));
     let inner = copy.get("first").unwrap().device().references()[0].device();
     assert!(inner.same_cell(copy.references()[1].device()) && !inner.same_cell(&leaf));
-    assert!(top.rewritten(|_| Err(Error::custom("leaf", "no"))).is_err());
+    assert!(top.map_cells(|_| Err(Error::custom("leaf", "no"))).is_err());
 }

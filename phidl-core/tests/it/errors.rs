@@ -179,6 +179,6 @@ fn keys_of_other_cells_find_nothing() {
     let mut d = Device::builder("cell");
     d.add(triangle());
     assert!(d.reference(foreign).is_err() && d.remove(foreign).is_err() && d.absorb(foreign).is_err());
-    d.at(foreign).move_by((1, 0));
+    d.select(foreign).move_by((1, 0));
     assert!(d.build().is_err());
 }

@@ -148,7 +148,7 @@ fn references_to_references_end_up_where_the_specification_says() {
     };
     let t = top(outer.clone());
     assert_hash(&t, "95354cc20a73c8e3f4d976b71125402fdd27a42e");
-    let port = &t.ports_below(None)[0];
+    let port = &t.ports_recursive(None)[0];
     assert_near(port.midpoint(), (-8.566656, 2.605631));
     assert!((port.orientation() - 176.869898).abs() < 1e-6);
     let doubled = Transform { magnification: 2.0, ..*outer.transform() };
@@ -168,7 +168,7 @@ fn ports_of_references_are_transformed() {
 fn ports_of_arrays_come_row_by_row() {
     let mut top = Device::builder("top");
     top.add(wire().array(3, 2, (10, 5)).rotated(90));
-    let ports = top.build().unwrap().ports_below(None);
+    let ports = top.build().unwrap().ports_recursive(None);
     let east: Vec<&Port> = ports.iter().filter(|p| p.name() == "e").collect();
     let places: Vec<Point> = east.iter().map(|p| p.midpoint()).collect();
     assert_eq!(places, [(-1, 4), (-1, 14), (-1, 24), (-6, 4), (-6, 14), (-6, 24)].map(Point::from));
@@ -260,7 +260,7 @@ fn removing_layers_takes_the_polygons_of_exactly_these_layers() {
         d.add(piece);
     }
     assert_hash(&d.clone().build().unwrap(), "7a7aa6a22b3d0b852a0e465398018dd19a1be305");
-    d.remove_layers([(13, 0), (14, 0)], Affects::Everything);
+    d.remove_layers([(13, 0), (14, 0)], LayerTarget::All);
     assert_hash(&d.build().unwrap(), "bb81ec3b3a6be2372a7ffc32f57121a9f1a97b34");
 }
 
@@ -274,7 +274,7 @@ fn squares() -> (DeviceBuilder, Vec<ReferenceKey>) {
 
 #[test]
 fn distributing_spaces_boxes_or_edges() {
-    type Arrangement = fn(&mut Members<'_>);
+    type Arrangement = fn(&mut Selection<'_>);
     let hashes: [(Arrangement, &str); 4] = [
         (|m| _ = m.distribute(Direction::X, 5), "1aa688d7dfb59e94d28dd0d9b8f324ff30281d70"),
         (|m| _ = m.distribute_by(Edge::XMin, 100), "18be0ef1db78095233d2f3ae5f065d9f453a6c07"),
@@ -283,17 +283,17 @@ fn distributing_spaces_boxes_or_edges() {
     ];
     for (arrange, hash) in hashes {
         let (mut d, _) = squares();
-        arrange(&mut d.everything());
+        arrange(&mut d.select_all());
         assert_hash(&d.build().unwrap(), hash);
     }
     let (mut d, keys) = squares();
-    d.everything().distribute(Direction::X, -5);
+    d.select_all().distribute(Direction::X, -5);
     let left: Vec<f64> = keys.iter().map(|key| d[*key].xmin()).collect();
     assert_eq!(left, [0.0, 15.0, 60.0, 120.0, 150.0]);
     // 690 µm between the outer edges, 280 µm of them filled: four gaps of 102.5 µm.
     let (mut d, keys) = squares();
     d[keys[4]].set_xmax(690);
-    d.everything().distribute_evenly(Direction::X);
+    d.select_all().distribute_evenly(Direction::X);
     let left: Vec<f64> = keys.iter().map(|key| d[*key].xmin()).collect();
     let gap = (690.0 - (20.0 + 50.0 + 65.0 + 35.0 + 50.0)) / 4.0;
     assert_eq!(left, [0.0, 20.0 + gap, 70.0 + 2.0 * gap, 135.0 + 3.0 * gap, 640.0]);
@@ -310,7 +310,7 @@ fn aligning_brings_edges_to_that_of_all_together() {
         (Edge::YMin, "b786cc85b76bf644466924b268d42e21058f906e"),
     ] {
         let (mut d, _) = squares();
-        d.everything().distribute(Direction::X, 5).align(edge);
+        d.select_all().distribute(Direction::X, 5).align(edge);
         assert_hash(&d.build().unwrap(), hash);
     }
 }

@@ -1,6 +1,6 @@
 //! [`DeviceList`]: cells for a grid, in one row or in several.
 
-use phidl_core::param::{Kind, Mismatch, Param};
+use phidl_core::param::{ConversionError, Param, ParamType};
 use phidl_core::prelude::*;
 
 /// Cells in one list, or in rows with the top one first. Where a cell is missing (`None`), its place stays free.
@@ -93,22 +93,22 @@ impl<S: Into<Slot>> From<Vec<Vec<S>>> for DeviceList {
 }
 
 impl Param for Slot {
-    fn kind() -> Kind {
-        Kind::Optional(Box::new(Kind::Device))
+    fn param_type() -> ParamType {
+        ParamType::Optional(Box::new(ParamType::Device))
     }
 
     fn to_value(&self) -> Value {
         self.0.to_value()
     }
 
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
         Option::from_value(value).map(Self)
     }
 }
 
 impl Param for DeviceList {
-    fn kind() -> Kind {
-        Kind::Other("list of devices, or list of such rows")
+    fn param_type() -> ParamType {
+        ParamType::Other("list of devices, or list of such rows")
     }
 
     fn to_value(&self) -> Value {
@@ -118,7 +118,7 @@ impl Param for DeviceList {
         }
     }
 
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
         let nested = value.as_list().is_some_and(|list| list.iter().any(|item| item.as_list().is_some()));
         if nested { Vec::from_value(value).map(Self::Rows) } else { Vec::from_value(value).map(Self::Flat) }
     }

@@ -1,7 +1,7 @@
 //! [`grid`]: cells in rows and columns.
 
 use phidl_core::num::count;
-use phidl_core::param::{Check, IntoOption, Kind, Mismatch, Param};
+use phidl_core::param::{Check, ConversionError, IntoOption, Param, ParamType};
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
@@ -43,18 +43,18 @@ impl<C: Into<i64>, R: Into<i64>> IntoOption<GridShape> for (C, R) {
 }
 
 impl Param for GridShape {
-    fn kind() -> Kind {
-        Kind::Other("number of columns and number of rows")
+    fn param_type() -> ParamType {
+        ParamType::Other("number of columns and number of rows")
     }
 
     fn to_value(&self) -> Value {
         [self.columns, self.rows].into()
     }
 
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
         match Vec::<i64>::from_value(value)?[..] {
             [columns, rows] => Ok(Self { columns, rows }),
-            _ => Err(Mismatch::new(value, "be a number of columns and a number of rows")),
+            _ => Err(ConversionError::new(value, "be a number of columns and a number of rows")),
         }
     }
 }

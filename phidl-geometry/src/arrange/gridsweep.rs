@@ -59,7 +59,7 @@ use crate::basic::CircleParams;
     .param_x([("radius", [10, 20, 30])]).param_y([("layer", [1, 2])]).spacing((60, 20)))]
 pub fn gridsweep(
     /// The generator, with the parameters that are not swept.
-    function: Recipe,
+    function: Partial,
     /// What changes from left to right.
     #[default([("width", [1, 5, 6, 7])])]
     param_x: Sweep,
@@ -120,7 +120,7 @@ pub fn gridsweep(
 
 /// A generator and the parameters that do not change.
 struct Plan<'a> {
-    function: &'a Recipe,
+    function: &'a Partial,
     defaults: &'a BTreeMap<String, Value>,
     fixed: &'a BTreeMap<String, Value>,
 }
@@ -134,8 +134,8 @@ impl Plan<'_> {
             recipe.record()?;
             Ok(recipe)
         };
-        let recipes: Vec<Recipe> = combinations.iter().map(recipe).collect::<Result<_>>()?;
-        recipes.iter().map(Recipe::build).collect()
+        let recipes: Vec<Partial> = combinations.iter().map(recipe).collect::<Result<_>>()?;
+        recipes.iter().map(Partial::build).collect()
     }
 
     /// What a cell of the sweep is labelled with.

@@ -4,7 +4,7 @@
 //! written as an object; [`Value`] keeps those sorted by name, and whoever needs another order writes a list of pairs.
 
 use phidl_core::num::count;
-use phidl_core::param::{Check, Kind, Mismatch, Param};
+use phidl_core::param::{Check, ConversionError, Param, ParamType};
 use phidl_core::prelude::*;
 
 /// One set of swept values with their names, in the order of the sweep.
@@ -114,8 +114,8 @@ impl<K: Into<String>, V: Into<Value>, I: IntoIterator<Item = V>, const N: usize>
 }
 
 impl Param for Sweep {
-    fn kind() -> Kind {
-        Kind::Other("values by parameter, number of copies, or nothing")
+    fn param_type() -> ParamType {
+        ParamType::Other("values by parameter, number of copies, or nothing")
     }
 
     fn to_value(&self) -> Value {
@@ -131,7 +131,7 @@ impl Param for Sweep {
         }
     }
 
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
         match value {
             Value::Null => Ok(Self::Once),
             Value::Map(map) => {
@@ -147,10 +147,10 @@ impl Param for Sweep {
     }
 }
 
-fn pair(value: &Value) -> Result<(String, Vec<Value>), Mismatch> {
+fn pair(value: &Value) -> Result<(String, Vec<Value>), ConversionError> {
     match value.as_list() {
         Some([Value::Text(name), Value::List(values)]) => Ok((name.clone(), values.clone())),
-        _ => Err(Mismatch::new(value, "be a parameter's name and the list of its values")),
+        _ => Err(ConversionError::new(value, "be a parameter's name and the list of its values")),
     }
 }
 

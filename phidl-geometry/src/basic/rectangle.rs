@@ -2,7 +2,7 @@
 //!
 //! All three keep the order of corners of the specification, in which `bbox` runs the other way round.
 
-use phidl_core::param::{Kind, Mismatch, Param};
+use phidl_core::param::{ConversionError, Param, ParamType};
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
@@ -138,18 +138,18 @@ impl<A: Into<Point>, C: Into<Point>> From<(A, C)> for Corners {
 }
 
 impl Param for Corners {
-    fn kind() -> Kind {
-        Kind::Other("two points")
+    fn param_type() -> ParamType {
+        ParamType::Other("two points")
     }
 
     fn to_value(&self) -> Value {
         [self.0, self.1].into()
     }
 
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
         match Vec::<Point>::from_value(value)?[..] {
             [a, c] => Ok(Self(a, c)),
-            _ => Err(Mismatch::new(value, "be two points")),
+            _ => Err(ConversionError::new(value, "be two points")),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! What the boolean functions take beside numbers: elements, joins, divisions, threads.
 
 use phidl_boolean::{Division, Growth, Join, Options, RunOptions, Shapes};
-use phidl_core::param::{Kind, Mismatch, Param};
+use phidl_core::param::{ConversionError, Param, ParamType};
 use phidl_core::prelude::*;
 use phidl_macros::Choice;
 
@@ -51,15 +51,15 @@ impl From<()> for Elements {
 }
 
 impl Param for Elements {
-    fn kind() -> Kind {
-        Kind::Other("a device, a list of devices, or none")
+    fn param_type() -> ParamType {
+        ParamType::Other("a device, a list of devices, or none")
     }
 
     fn to_value(&self) -> Value {
         self.0.to_value()
     }
 
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
         match value {
             Value::Null => Ok(Self::default()),
             Value::List(_) => Vec::<Device>::from_value(value).map(Self),
@@ -136,21 +136,21 @@ impl From<(u32, u32)> for Divisions {
 }
 
 impl Param for Divisions {
-    fn kind() -> Kind {
-        Kind::Other("a count, or one in x and one in y")
+    fn param_type() -> ParamType {
+        ParamType::Other("a count, or one in x and one in y")
     }
 
     fn to_value(&self) -> Value {
         Value::List(vec![self.0.to_value(), self.1.to_value()])
     }
 
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
         let counts = match value.as_list() {
             Some([x, y]) => Self(u32::from_value(x)?, u32::from_value(y)?),
-            Some(_) => return Err(Mismatch::new(value, "be one or two counts")),
+            Some(_) => return Err(ConversionError::new(value, "be one or two counts")),
             None => u32::from_value(value)?.into(),
         };
-        if counts.0 == 0 || counts.1 == 0 { Err(Mismatch::new(value, "be at least 1")) } else { Ok(counts) }
+        if counts.0 == 0 || counts.1 == 0 { Err(ConversionError::new(value, "be at least 1")) } else { Ok(counts) }
     }
 }
 
@@ -170,15 +170,15 @@ impl From<u32> for NumCpu {
 }
 
 impl Param for NumCpu {
-    fn kind() -> Kind {
-        Kind::Other("a count or \"all\"")
+    fn param_type() -> ParamType {
+        ParamType::Other("a count or \"all\"")
     }
 
     fn to_value(&self) -> Value {
         self.0.map_or_else(|| "all".into(), |threads| threads.to_value())
     }
 
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
         match value {
             Value::Null => Ok(Self::ALL),
             Value::Text(text) if text == "all" => Ok(Self::ALL),

@@ -1,6 +1,6 @@
 //! [`basic_die`].
 
-use phidl_core::param::{Check, Kind, Mismatch, Param};
+use phidl_core::param::{Check, ConversionError, Param, ParamType};
 use phidl_core::prelude::*;
 use phidl_macros::{Choice, device};
 
@@ -182,8 +182,8 @@ impl<X: Into<f64>, Y: Into<f64>> From<(X, Y)> for TextLocation {
 }
 
 impl Param for TextLocation {
-    fn kind() -> Kind {
-        Kind::Other("one of N, NE, E, SE, S, SW, W, NW, C, or a point")
+    fn param_type() -> ParamType {
+        ParamType::Other("one of N, NE, E, SE, S, SW, W, NW, C, or a point")
     }
 
     fn to_value(&self) -> Value {
@@ -193,7 +193,7 @@ impl Param for TextLocation {
         }
     }
 
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
         match value {
             Value::Text(_) => DieSide::from_value(value).map(Self::Side),
             _ => Point::from_value(value).map(Self::Center),

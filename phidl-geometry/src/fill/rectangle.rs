@@ -1,7 +1,7 @@
 //! [`fill_rectangle`]: rectangles on a regular raster wherever nothing is near.
 
 use phidl_core::num::count;
-use phidl_core::param::{Check, IntoOption, Kind, Mismatch, Param};
+use phidl_core::param::{Check, ConversionError, IntoOption, Param, ParamType};
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
@@ -33,8 +33,8 @@ impl<L: Into<Layers>> From<L> for AvoidLayers {
 }
 
 impl Param for AvoidLayers {
-    fn kind() -> Kind {
-        Kind::Other("\"all\", a layer, or list of layers")
+    fn param_type() -> ParamType {
+        ParamType::Other("\"all\", a layer, or list of layers")
     }
 
     fn to_value(&self) -> Value {
@@ -44,10 +44,10 @@ impl Param for AvoidLayers {
         }
     }
 
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
         match value {
             Value::Text(text) if text == "all" => Ok(Self::All),
-            Value::Text(_) => Err(Mismatch::new(value, "be \"all\" or layers")),
+            Value::Text(_) => Err(ConversionError::new(value, "be \"all\" or layers")),
             layers => LayerList::from_value(layers).map(|list| Self::These(list.0)),
         }
     }

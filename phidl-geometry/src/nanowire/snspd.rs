@@ -266,7 +266,7 @@ mod tests {
             "snspd: number of rows (height / wire_pitch) is 1, but it must be at least 3"
         );
         assert!(SnspdParams::default().size((10, 1.2)).terminals_same_side(true).build().is_err());
-        let error = SnspdParams::default().size((1, 1.3)).build().unwrap_err().in_full();
+        let error = SnspdParams::default().size((1, 1.3)).build().unwrap_err().report();
         assert!(error.starts_with("in snspd: optimal_hairpin: length is 0.5 µm"), "{error}");
         assert!(SnspdParams::default().size((10, 1e9)).build().is_err());
     }

@@ -2,7 +2,7 @@
 
 use phidl_core::num::angle::directions;
 use phidl_core::num::count::{self, linspace};
-use phidl_core::param::{Check, Kind, Mismatch, Param};
+use phidl_core::param::{Check, ConversionError, Param, ParamType};
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
@@ -28,18 +28,18 @@ impl<N: Into<f64>> From<[N; 2]> for Arms {
 }
 
 impl Param for Arms {
-    fn kind() -> Kind {
-        Kind::Other("two numbers, left and right")
+    fn param_type() -> ParamType {
+        ParamType::Other("two numbers, left and right")
     }
 
     fn to_value(&self) -> Value {
         vec![self.left, self.right].into()
     }
 
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
         match Vec::<f64>::from_value(value)?[..] {
             [left, right] => Ok(Self { left, right }),
-            _ => Err(Mismatch::new(value, "be two numbers, left and right")),
+            _ => Err(ConversionError::new(value, "be two numbers, left and right")),
         }
     }
 }

@@ -62,7 +62,7 @@ pub fn deepcopy(
     #[param(name = "D")]
     device: Device,
 ) -> Result<Device> {
-    device.rewritten(|_| Ok(()))
+    device.map_cells(|_| Ok(()))
 }
 
 /// Draws the whole hierarchy in one cell without references; name, ports and info stay. Aliases go with the references

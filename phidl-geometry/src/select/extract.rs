@@ -9,7 +9,7 @@ use crate::test_structure::TestIcParams;
 /// Collects what is drawn on some layers, the whole hierarchy down, in one cell without references.
 ///
 /// The polygons are grouped by layer, in the order in which the layers first occur. Labels, ports, info and properties
-/// stay behind. The part of one placement is drawn where it stands by `extract(placement.alone()?, layers)`.
+/// stay behind. The part of one placement is drawn where it stands by `extract(placement.to_device()?, layers)`.
 ///
 /// # Ports
 /// None.

@@ -51,7 +51,7 @@ pub fn ports_to_geometry(
     #[default(0)]
     layer: Layer,
 ) -> Result<Device> {
-    device.rewritten(|cell| {
+    device.map_cells(|cell| {
         let ports: Vec<Port> = cell.ports().cloned().collect();
         ports.iter().try_for_each(|port| draw_port(cell, port, layer))
     })
@@ -79,7 +79,7 @@ pub fn geometry_to_ports(
     #[default(0)]
     layer: Layer,
 ) -> Result<Device> {
-    device.rewritten(|cell| {
+    device.map_cells(|cell| {
         let ports: Vec<Port> = cell.labels().filter(|label| label.layer == layer).filter_map(port_of).collect();
         cell.add_ports(ports)?;
         cell.remove_labels(|label| label.layer == layer && port_of(label).is_some());

@@ -1,7 +1,7 @@
 //! [`preview_layerset`]: a sample of every layer.
 
 use phidl_core::num::count;
-use phidl_core::param::{Kind, Mismatch, Param};
+use phidl_core::param::{ConversionError, Param, ParamType};
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
@@ -39,15 +39,15 @@ impl<N: Into<String>, L: Into<Layer>, const M: usize> From<[(N, L); M]> for Samp
 }
 
 impl Param for SampleLayers {
-    fn kind() -> Kind {
-        Kind::Map(Box::new(Kind::Layer))
+    fn param_type() -> ParamType {
+        ParamType::Map(Box::new(ParamType::Layer))
     }
 
     fn to_value(&self) -> Value {
         Value::Map(self.0.iter().map(|(name, layer)| (name.clone(), (*layer).into())).collect())
     }
 
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
         let layers = std::collections::BTreeMap::<String, Layer>::from_value(value)?;
         Ok(Self::new(layers.into_iter().collect()))
     }

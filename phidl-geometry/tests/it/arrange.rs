@@ -198,9 +198,9 @@ fn nothing_is_drawn_before_the_parameters_of_all_cells_are_checked() {
     let drawn = DRAWN.load(Ordering::SeqCst);
     // Values that no other test draws; the last one is out of bounds.
     let bad = example().param_x([("width", [4.321, 5.321, -1.0])]).build().unwrap_err();
-    assert_eq!(bad.in_full(), "in gridsweep: scaled: width is -1 µm, but it must be greater than 0 µm");
+    assert_eq!(bad.report(), "in gridsweep: scaled: width is -1 µm, but it must be greater than 0 µm");
     let unknown = example().param_x([("widht", [4.321])]).build().unwrap_err();
-    assert!(unknown.in_full().contains("there is no parameter \"widht\""), "{}", unknown.in_full());
+    assert!(unknown.report().contains("there is no parameter \"widht\""), "{}", unknown.report());
     let twice = example().param_x([("layer", [4])]).build().unwrap_err();
     assert!(twice.to_string().contains("param_x is"), "{twice}");
     assert!(example().param_x(0).build().is_err());

@@ -6,7 +6,7 @@ use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
 use phidl_core::param::Param;
 use phidl_core::prelude::*;
 use phidl_core::registry;
-use phidl_core::runtime::{Entry, Record};
+use phidl_core::runtime::{GeneratorInfo, ParamValues};
 use phidl_geometry as pg;
 use proptest::prelude::*;
 use testkit::domain::{params, search};
@@ -27,7 +27,7 @@ enum Formula {
 use Formula::{Empty, Is, Within};
 
 /// All parameters of a drawing.
-struct Given(Record);
+struct Given(ParamValues);
 
 impl Given {
     fn value(&self, name: &str) -> &Value {
@@ -383,7 +383,7 @@ fn test_ic(p: &Given) -> Formula {
 }
 
 /// Draws a shape with random parameters and looks at its box.
-fn try_everywhere(entry: &'static Entry) {
+fn try_everywhere(entry: &'static GeneratorInfo) {
     let mut runner = search(64);
     let values = params(entry).expect("only shapes with such parameters are taken");
     let outcome = runner.run(&values, |params| {

@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
-use phidl_core::param::Kind;
+use phidl_core::param::ParamType;
 use phidl_core::prelude::*;
 use phidl_core::registry;
-use phidl_core::runtime::{Entry, ParamInfo};
+use phidl_core::runtime::{GeneratorInfo, ParamInfo};
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use testkit::domain::params;
@@ -26,12 +26,12 @@ const REASONS: [&str; 12] = [
     "in distances",
 ];
 
-fn shapes() -> impl Iterator<Item = &'static Entry> {
+fn shapes() -> impl Iterator<Item = &'static GeneratorInfo> {
     registry::all().filter(|entry| entry.module.starts_with("phidl_geometry"))
 }
 
 /// Runs a check over all shapes and tells everything that is missing, not only the first thing.
-fn for_every_shape(check: impl Fn(&'static Entry, &mut Vec<String>)) {
+fn for_every_shape(check: impl Fn(&'static GeneratorInfo, &mut Vec<String>)) {
     let mut missing = Vec::new();
     shapes().for_each(|entry| check(entry, &mut missing));
     assert!(missing.is_empty(), "{}", missing.join("\n"));
@@ -45,7 +45,7 @@ fn section<'a>(docs: &'a str, heading: &str) -> Option<&'a str> {
     Some(&below[..end.map_or(below.len(), |(i, _)| i)])
 }
 
-fn example(entry: &'static Entry) -> Device {
+fn example(entry: &'static GeneratorInfo) -> Device {
     entry.build(&entry.example().unwrap().by_name()).unwrap()
 }
 
@@ -73,7 +73,7 @@ fn shapes_that_refuse_more_than_their_bounds_say_so() {
         for _ in 0..64 {
             let params = values.new_tree(&mut runner).unwrap().current();
             if let Err(error) = entry.build(&params) {
-                missing.push(format!("{}: no section Errors, but {}", entry.name, error.in_full()));
+                missing.push(format!("{}: no section Errors, but {}", entry.name, error.report()));
                 return;
             }
         }
@@ -108,9 +108,9 @@ fn every_port_and_every_note_of_the_example_is_described() {
 #[test]
 fn every_parameter_has_its_words_and_every_number_a_unit_or_a_reason() {
     let is_number = |param: &ParamInfo| match &param.kind {
-        Kind::Optional(inner) => matches!(**inner, Kind::Number | Kind::Point | Kind::Size),
-        Kind::List(inner) => matches!(**inner, Kind::Number | Kind::Point | Kind::Size),
-        kind => matches!(kind, Kind::Number | Kind::Point | Kind::Size),
+        ParamType::Optional(inner) => matches!(**inner, ParamType::Number | ParamType::Point | ParamType::Size),
+        ParamType::List(inner) => matches!(**inner, ParamType::Number | ParamType::Point | ParamType::Size),
+        kind => matches!(kind, ParamType::Number | ParamType::Point | ParamType::Size),
     };
     for_every_shape(|entry, missing| {
         for param in entry.params() {

@@ -3,7 +3,7 @@
 use phidl_core::geom::signed_area;
 use phidl_core::prelude::*;
 use phidl_core::registry;
-use phidl_core::runtime::Entry;
+use phidl_core::runtime::GeneratorInfo;
 use proptest::prelude::*;
 use testkit::domain::{params, search};
 use testkit::golden::merged_area;
@@ -12,12 +12,12 @@ use testkit::golden::merged_area;
 const PORT_TOLERANCE: f64 = 1e-6;
 
 /// The shapes that can be drawn without other devices; what takes devices has tests of its own.
-fn shapes() -> impl Iterator<Item = &'static Entry> {
+fn shapes() -> impl Iterator<Item = &'static GeneratorInfo> {
     registry::all().filter(|entry| entry.module.starts_with("phidl_geometry") && params(entry).is_some())
 }
 
 /// Draws a shape with random parameters; a refusal is as good as a drawing, a panic is not.
-fn for_every_drawing(entry: &'static Entry, law: impl Fn(&Device) -> Result<(), TestCaseError>) {
+fn for_every_drawing(entry: &'static GeneratorInfo, law: impl Fn(&Device) -> Result<(), TestCaseError>) {
     let mut runner = search(32);
     let values = params(entry).expect("only shapes with such parameters are taken");
     let outcome = runner.run(&values, |params| match entry.build(&params) {

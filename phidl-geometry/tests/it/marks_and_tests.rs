@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use phidl_core::param::Kind;
+use phidl_core::param::ParamType;
 use phidl_core::prelude::*;
 use phidl_core::runtime::registry;
 use phidl_geometry as pg;
@@ -234,7 +234,7 @@ fn no_number_makes_a_shape_panic() {
 fn a_layer_that_is_left_out_leaves_the_others_as_they_are() {
     for name in ["test_comb", "test_ic", "test_res", "test_via"] {
         let entry = registry::find(name).unwrap();
-        let layers: Vec<&str> = entry.params().iter().filter(|p| p.kind == Kind::Layers).map(|p| p.name).collect();
+        let layers: Vec<&str> = entry.params().iter().filter(|p| p.kind == ParamType::Layers).map(|p| p.name).collect();
         let numbered = layers.iter().zip(10..).map(|(layer, number)| ((*layer).to_owned(), Value::Int(number)));
         let all: BTreeMap<String, Value> = numbered.collect();
         let whole = entry.build(&all).unwrap();

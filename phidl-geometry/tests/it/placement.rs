@@ -104,7 +104,7 @@ impl Script {
 }
 
 /// The words that a reference and a cell have in common.
-fn place(thing: &mut impl Place, op: Op) {
+fn place(thing: &mut impl Movable, op: Op) {
     match op {
         Op::Move { by: Some(by), .. } => thing.move_by(by),
         Op::Move { origin: Some(origin), destination: Some(destination), .. } => thing.move_to(origin, destination),
@@ -137,13 +137,13 @@ fn run(case: &Case) -> Result<(), String> {
     let ops = Vec::<Op>::deserialize(&case.rest["ops"]).map_err(|error| error.to_string())?;
     let mut script = Script { cell: Device::builder("script"), names: BTreeMap::new() };
     for op in ops {
-        script.run(op).map_err(|error| error.in_full())?;
+        script.run(op).map_err(|error| error.report())?;
     }
     let references = case.expect["references"].as_object().ok_or("no references are expected")?;
     for (name, expected) in references {
         compare_reference(&script.cell[script.names[name]], expected).map_err(|why| format!("{name}: {why}"))?;
     }
-    let device = script.cell.build().map_err(|error| error.in_full())?;
+    let device = script.cell.build().map_err(|error| error.report())?;
     compare_device(&device, &case.expect)
 }
 

@@ -73,9 +73,9 @@ fn every_shape_of_the_library_is_registered_and_draws_its_example() {
     ];
     assert_eq!(names, expected);
     for entry in registry::all() {
-        let example = entry.example().unwrap_or_else(|error| panic!("{}: {}", entry.name, error.in_full()));
+        let example = entry.example().unwrap_or_else(|error| panic!("{}: {}", entry.name, error.report()));
         let device =
-            entry.build(&example.by_name()).unwrap_or_else(|error| panic!("{}: {}", entry.name, error.in_full()));
+            entry.build(&example.by_name()).unwrap_or_else(|error| panic!("{}: {}", entry.name, error.report()));
         assert!(!device.is_empty() || device.ports().len() > 0, "{}", entry.name);
     }
 }

@@ -156,10 +156,10 @@ proptest! {
     #[test]
     fn ports_survive_being_drawn(original in hierarchy()) {
         let drawn = pg::ports_to_geometry(&original, (77, 7)).unwrap();
-        prop_assert!(drawn.ports_below(None).is_empty());
+        prop_assert!(drawn.ports_recursive(None).is_empty());
         let again = pg::geometry_to_ports(&drawn, (77, 7)).unwrap();
         prop_assert_eq!(again.flat_counts(), original.flat_counts());
-        for (a, b) in again.ports_below(None).iter().zip(original.ports_below(None)) {
+        for (a, b) in again.ports_recursive(None).iter().zip(original.ports_recursive(None)) {
             prop_assert!(a.midpoint().distance(b.midpoint()) < 1e-9);
             prop_assert_eq!((a.name(), a.width(), a.orientation()), (b.name(), b.width(), b.orientation()));
         }

@@ -125,7 +125,7 @@ mod tests {
     use gds21::{GdsElement, GdsLibrary};
     use phidl_core::geom::Point;
     use phidl_core::layer::Layer;
-    use phidl_core::place::Place;
+    use phidl_core::place::Movable;
     use phidl_core::scene::{Anchor, Label, Polygon};
 
     use super::*;

@@ -154,7 +154,7 @@ impl Lattice<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use phidl_core::place::Place;
+    use phidl_core::place::Movable;
     use phidl_core::scene::Device;
 
     fn grid() -> Grid {

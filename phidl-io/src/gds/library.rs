@@ -196,7 +196,7 @@ impl<'a> Parser<'a> {
             true => Ok(()),
             false => cell.builder.set_properties(key, boundary.properties).map(|_| ()),
         });
-        kept.map_err(|error| Fault::new(start, error.in_full()).into())
+        kept.map_err(|error| Fault::new(start, error.report()).into())
     }
 
     fn single(&mut self, start: usize) -> Result<(), Stop> {

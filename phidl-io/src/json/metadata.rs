@@ -64,7 +64,7 @@ fn instance(reference: &Reference, table: &CellTable) -> Value {
 
 #[cfg(test)]
 mod tests {
-    use phidl_core::place::Place;
+    use phidl_core::place::Movable;
 
     use super::*;
 

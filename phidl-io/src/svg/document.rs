@@ -210,7 +210,7 @@ fn push_line(text: &mut String, line: &str) {
 mod tests {
     use expect_test::expect;
     use phidl_core::layer::{LayerSet, NamedLayer};
-    use phidl_core::place::Place;
+    use phidl_core::place::Movable;
 
     use super::*;
 

@@ -13,7 +13,7 @@ pub(crate) fn reading_is_a_device_or_an_error(bytes: &[u8]) {
     let import = match gds::read_bytes(bytes, &ReadOptions::default()) {
         Ok(import) => import,
         Err(error) => {
-            let text = error.in_full();
+            let text = error.report();
             assert!(!matches!(error, IoError::Malformed { .. }) || text.contains("byte"), "{text}");
             return;
         }
@@ -26,6 +26,6 @@ pub(crate) fn reading_is_a_device_or_an_error(bytes: &[u8]) {
     let options = GdsOptions { grid: import.grid, ..GdsOptions::default() };
     if let Ok(again) = gds::to_bytes(&import.device, &options) {
         let again = gds::read_bytes(&again, &ReadOptions::default());
-        assert!(again.is_ok(), "what was written cannot be read: {}", again.unwrap_err().in_full());
+        assert!(again.is_ok(), "what was written cannot be read: {}", again.unwrap_err().report());
     }
 }

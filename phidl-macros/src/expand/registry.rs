@@ -36,8 +36,8 @@ fn entry(generator: &Generator) -> TokenStream {
     let example = docs::example(generator);
     let picture = options.picture.as_ref().map(|file| quote!(.pictured(#file)));
     quote! {
-        fn entry() -> &'static ::phidl_core::__private::Entry {
-            static __ENTRY: ::phidl_core::__private::Entry = ::phidl_core::__private::Entry::new::<#struct_name>(
+        fn entry() -> &'static ::phidl_core::__private::GeneratorInfo {
+            static __ENTRY: ::phidl_core::__private::GeneratorInfo = ::phidl_core::__private::GeneratorInfo::new::<#struct_name>(
                 #registered,
                 ::core::module_path!(),
                 ::core::env!("CARGO_PKG_VERSION"),
@@ -59,7 +59,7 @@ fn row(param: &Parameter) -> TokenStream {
         quote!(#side: ::core::option::Option::Some(#limit))
     });
     // At the type, where it says that it cannot be a parameter, if so.
-    let new = quote_spanned!(ty.span()=> ::phidl_core::__private::Row::new::<#ty>);
+    let new = quote_spanned!(ty.span()=> ::phidl_core::__private::ParamSpec::new::<#ty>);
     quote! {
         #new(#registered, #docs, #unit, ::phidl_core::__private::Bounds { #(#sides,)* ..::phidl_core::__private::Bounds::NONE })
     }
@@ -72,8 +72,8 @@ fn record(generator: &Generator) -> TokenStream {
         quote!((#registered, #value))
     });
     quote! {
-        fn record(&self) -> ::phidl_core::__private::Record {
-            ::phidl_core::__private::Record::of::<Self, _>([#(#entries),*])
+        fn record(&self) -> ::phidl_core::__private::ParamValues {
+            ::phidl_core::__private::ParamValues::of::<Self, _>([#(#entries),*])
         }
     }
 }
@@ -87,7 +87,7 @@ fn read(generator: &Generator) -> TokenStream {
         }
     });
     quote! {
-        fn read(__from: &::phidl_core::__private::Reader<'_>) -> ::phidl_core::__private::Result<Self> {
+        fn read(__from: &::phidl_core::__private::ParamReader<'_>) -> ::phidl_core::__private::Result<Self> {
             ::core::result::Result::Ok(Self { #(#fields),* })
         }
     }

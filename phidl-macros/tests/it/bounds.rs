@@ -72,7 +72,7 @@ fn outer(#[default(0.2)] width: f64) -> Result<Device> {
 #[test]
 fn an_error_of_another_generator_tells_who_asked() {
     let error = outer(0).unwrap_err();
-    assert_eq!(error.in_full(), "in outer: hairpin: width is 0 µm, but it must be greater than 0 µm");
+    assert_eq!(error.report(), "in outer: hairpin: width is 0 µm, but it must be greater than 0 µm");
 }
 
 #[test]

@@ -8,7 +8,7 @@ use phidl_macros::device;
 
 fn chain_of(error: &Error) -> Vec<&str> {
     match error.root() {
-        Error::Circle { chain } => chain.iter().map(String::as_str).collect(),
+        Error::CyclicDependency { chain } => chain.iter().map(String::as_str).collect(),
         other => panic!("expected a circle, got {other}"),
     }
 }

@@ -104,7 +104,7 @@ fn defaults(
     #[default(None)] port: Option<Port>,
     #[default(Style::Straight)] style: Style,
     #[default([1, 2])] layer: Layers,
-    #[default(NumbersParams::new(1, 2, 3, true, 'x', (1, 2), (3, 4)))] what: Recipe,
+    #[default(NumbersParams::new(1, 2, 3, true, 'x', (1, 2), (3, 4)))] what: Partial,
 ) -> Result<Device> {
     let _ = (length, shift, count, size, text, lengths, nothing, by_name, maybe, port, style, layer, what);
     Device::builder("defaults").build()

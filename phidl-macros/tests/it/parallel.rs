@@ -53,6 +53,6 @@ static RUNS: AtomicI64 = AtomicI64::new(0);
 fn a_real_circle_is_found_on_a_worker_too() {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().unwrap();
     let error = pool.install(|| endless(1)).unwrap_err();
-    assert!(matches!(error.root(), Error::Circle { chain } if chain == &["endless", "endless"]), "{error:?}");
+    assert!(matches!(error.root(), Error::CyclicDependency { chain } if chain == &["endless", "endless"]), "{error:?}");
     assert_eq!(RUNS.load(Ordering::SeqCst), 2, "once on the worker, once apart from it");
 }

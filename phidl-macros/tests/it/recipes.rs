@@ -24,7 +24,7 @@ fn pillar(
 
 /// Draws a generator once for each value of a parameter.
 #[device]
-fn row(what: Recipe, values: BTreeMap<String, Vec<Value>>) -> Result<Device> {
+fn row(what: Partial, values: BTreeMap<String, Vec<Value>>) -> Result<Device> {
     let mut d = Device::builder("row");
     let mut recipes = Vec::new();
     for (name, values) in &values {
@@ -62,10 +62,10 @@ fn a_generator_is_given_with_presets_and_swept() {
 fn a_bad_value_is_found_before_anything_is_drawn() {
     let before = |radius: f64| PillarParams::default().radius(radius).layer(77);
     let error = row(before(1.0), values("radius", [70.0, 71.0, -1.0])).unwrap_err();
-    assert_eq!(error.in_full(), "in row: pillar: radius is -1 µm, but it must be greater than 0 µm");
+    assert_eq!(error.report(), "in row: pillar: radius is -1 µm, but it must be greater than 0 µm");
     let drawn = DRAWN.load(Ordering::SeqCst);
     pillar(70, 77).unwrap();
     assert!(DRAWN.load(Ordering::SeqCst) > drawn, "it was not drawn by the sweep");
     let error = row(before(1.0), values("diameter", [1.0])).unwrap_err();
-    assert_eq!(error.in_full(), "in row: pillar: there is no parameter \"diameter\"; known are radius, layer");
+    assert_eq!(error.report(), "in row: pillar: there is no parameter \"diameter\"; known are radius, layer");
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use phidl_core::prelude::*;
 use phidl_core::registry;
-use phidl_core::runtime::Entry;
+use phidl_core::runtime::GeneratorInfo;
 use phidl_macros::{Choice, device};
 
 #[derive(Debug, Clone, Copy, PartialEq, Choice)]
@@ -60,7 +60,7 @@ fn an_entry_has_the_path_of_its_picture_and_docs_without_it() {
     assert_eq!(pad(3).unwrap().area(), 4.5);
 }
 
-fn entry() -> &'static Entry {
+fn entry() -> &'static GeneratorInfo {
     registry::find("L").unwrap()
 }
 
@@ -131,7 +131,7 @@ fn what_json_gets_wrong_is_named() {
         ),
     ];
     for (json, message) in cases {
-        assert_eq!(build(json).unwrap_err().in_full(), message, "{json}");
+        assert_eq!(build(json).unwrap_err().report(), message, "{json}");
     }
 }
 

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use phidl_core::Result;
 use phidl_core::geom::{Point, Transform};
 use phidl_core::num::count;
-use phidl_core::place::Place as _;
+use phidl_core::place::Movable as _;
 
 use super::{Curve, Part};
 use crate::sampling::Turning;

@@ -52,7 +52,7 @@ fn check(case: &Case) -> Result<(), String> {
         must_be_listed("path.spiral", "fewer than 2 points");
         return Ok(());
     }
-    let (device, path) = drawn.map_err(|e| e.in_full())?;
+    let (device, path) = drawn.map_err(|e| e.report())?;
     // The single point that the reference has instead of a bend turns what follows: a smoothed path ends elsewhere.
     if !(poorly_sampled && case.rest.contains_key("smooth")) {
         check_angles(&path, &case.expect)?;
@@ -86,8 +86,8 @@ fn check(case: &Case) -> Result<(), String> {
 
 /// Checks that the reference's points, and ours, are a result of the simplification of our edges.
 fn check_simplified(case: &Case, path: &Path, tolerance: f64) -> Result<(), String> {
-    let all = extrusion(case, path, None).map_err(|e| e.in_full())?;
-    let few = extrusion(case, path, Some(tolerance)).map_err(|e| e.in_full())?;
+    let all = extrusion(case, path, None).map_err(|e| e.report())?;
+    let few = extrusion(case, path, Some(tolerance)).map_err(|e| e.report())?;
     for (all, few) in all.polygons().zip(few.polygons()) {
         simplified::check(all.points, few.points, tolerance)?;
         let theirs = &case.expect["device"]["layers"][all.layer.to_string()]["points"];

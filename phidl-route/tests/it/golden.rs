@@ -48,7 +48,7 @@ fn check_way(case: &Case, kind: &str) -> std::result::Result<(), String> {
         must_be_listed("path_V", "parallel");
         return Ok(());
     }
-    let ours = drawn.map_err(|error| error.in_full())?;
+    let ours = drawn.map_err(|error| error.report())?;
     let theirs = points(&case.expect["points"]);
     if kind == "manhattan" && crosses_itself(&theirs) {
         must_be_listed("path_manhattan", "crosses itself");
@@ -82,7 +82,7 @@ fn check_route(case: &Case) -> std::result::Result<(), String> {
         must_be_listed("route.folds", "an edge folds back");
         return Ok(());
     }
-    let drawn = drawn.map_err(|error| format!("ours refuses it: {}", error.in_full()))?;
+    let drawn = drawn.map_err(|error| format!("ours refuses it: {}", error.report()))?;
     if centerline(&case.expect["layers"]).is_some_and(|line| crosses_itself(&line)) && is_manhattan(case) {
         must_be_listed("path_manhattan", "crosses itself");
         return check_ports(&drawn, &case.expect["ports"]);

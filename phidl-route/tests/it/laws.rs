@@ -164,7 +164,7 @@ proptest! {
             match params.build_uncached() {
                 Ok(route) => meets(&route, &ports, [2.0, 2.0])?,
                 Err(error) => {
-                    let text = error.in_full();
+                    let text = error.report();
                     prop_assert!(text.contains("port1 at") && text.contains("port2 at"), "{text}");
                 }
             }

@@ -20,9 +20,9 @@ fn every_route_is_registered_and_draws_its_example() {
     ];
     assert_eq!(names, expected);
     for entry in routes {
-        let example = entry.example().unwrap_or_else(|error| panic!("{}: {}", entry.name, error.in_full()));
+        let example = entry.example().unwrap_or_else(|error| panic!("{}: {}", entry.name, error.report()));
         let device =
-            entry.build(&example.by_name()).unwrap_or_else(|error| panic!("{}: {}", entry.name, error.in_full()));
+            entry.build(&example.by_name()).unwrap_or_else(|error| panic!("{}: {}", entry.name, error.report()));
         assert!(!device.is_empty(), "{}", entry.name);
         for key in ["length", "bends", "smallest_radius"] {
             assert!(device.info().contains_key(key), "{} says nothing of its {key}", entry.name);

@@ -15,7 +15,7 @@ pub(super) fn measure(sitting: &Sitting<'_>) -> anyhow::Result<Section> {
     let devices = [("squares", loads::squares(1_000_000)), ("placements", loads::placements(1000, 1000))];
     let file = |name: &str| sitting.folder.join(format!("{name}.gds"));
     for (name, device) in &devices {
-        gds::write(device, file(name), &options).map_err(|error| anyhow::anyhow!(error.in_full()))?;
+        gds::write(device, file(name), &options).map_err(|error| anyhow::anyhow!(error.report()))?;
     }
     let times = sitting.peers("files", sitting.folder)?;
     let mut section = Section::new("Files", NOTES, &["gdstk"]);

@@ -21,7 +21,7 @@ pub(super) fn measure(sitting: &Sitting<'_>) -> anyhow::Result<Section> {
     let extrude = || Path::from_points(&points)?.extrude(&strips);
     section.add("extrude 10,000 points over 3 sections", clock::best(extrude), &times, "extrude");
     let checked = || Path::from_points(&points)?.extrude_checked(&strips);
-    checked().map_err(crate::in_full)?; // it draws, and does not end with a fold
+    checked().map_err(crate::report)?; // it draws, and does not end with a fold
     section.add("the same, checked for folds", clock::best(checked), &times, "extrude");
     let bend = EulerBend::new();
     let (bends, extruded) = (|| drawn(bend, Ok), || drawn(bend, |path| path.extrude_width(0.5, 1)));

@@ -31,7 +31,7 @@ pub(super) fn measure(sitting: &Sitting<'_>) -> anyhow::Result<Section> {
 fn described(pairs: &[[Port; 2]]) -> anyhow::Result<Vec<Json>> {
     let port = |p: &Port| json!([p.midpoint().x, p.midpoint().y, p.width(), p.orientation()]);
     let pair = |[a, z]: &[Port; 2]| {
-        let way = path_manhattan(a, z, 10).map_err(crate::in_full)?;
+        let way = path_manhattan(a, z, 10).map_err(crate::report)?;
         let points: Vec<[f64; 2]> = way.points().iter().map(|p| [p.x, p.y]).collect();
         Ok(json!([port(a), port(z), points]))
     };

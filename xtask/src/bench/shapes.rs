@@ -2,7 +2,7 @@
 
 use anyhow::Context;
 use phidl_core::registry;
-use phidl_core::runtime::{Entry, cache};
+use phidl_core::runtime::{GeneratorInfo, cache};
 use serde_json::{Value as Json, json};
 
 use super::table::{Section, Times};
@@ -14,7 +14,7 @@ const NOTES: &str = "Each shape with its defaults, or with the parameters of its
 
 /// Times every shape of the library.
 pub(super) fn measure(sitting: &Sitting<'_>) -> anyhow::Result<Section> {
-    let entries: Vec<&'static Entry> = registry::all()
+    let entries: Vec<&'static GeneratorInfo> = registry::all()
         .filter(|entry| entry.module.starts_with("phidl_geometry"))
         .filter(|entry| sitting.filter.is_none_or(|filter| entry.name.contains(filter)))
         .collect();
@@ -23,7 +23,7 @@ pub(super) fn measure(sitting: &Sitting<'_>) -> anyhow::Result<Section> {
     let mut section = Section::new("Shapes", NOTES, &["PHIDL"]);
     for entry in entries {
         let draw = entry.redraw(&entry.example()?.by_name())?;
-        draw().map_err(crate::in_full)?;
+        draw().map_err(crate::report)?;
         section.add(format!("`{}`", entry.name), clock::best(&draw), &peers, entry.name);
     }
     cache::set_limit(cache::DEFAULT_LIMIT);
@@ -31,14 +31,14 @@ pub(super) fn measure(sitting: &Sitting<'_>) -> anyhow::Result<Section> {
 }
 
 /// PHIDL's times for the same shapes, with those parameters that differ from the defaults.
-fn peers(sitting: &Sitting<'_>, entries: &[&'static Entry]) -> anyhow::Result<Times> {
+fn peers(sitting: &Sitting<'_>, entries: &[&'static GeneratorInfo]) -> anyhow::Result<Times> {
     let jobs: Vec<Json> = entries.iter().map(|entry| job(entry)).collect::<anyhow::Result<_>>()?;
     let file = sitting.folder.join("shapes.json");
     std::fs::write(&file, serde_json::to_vec(&jobs)?).with_context(|| file.display().to_string())?;
     sitting.peers("shapes", &file)
 }
 
-fn job(entry: &'static Entry) -> anyhow::Result<Json> {
+fn job(entry: &'static GeneratorInfo) -> anyhow::Result<Json> {
     let mut params = serde_json::Map::new();
     for (info, (name, value)) in entry.params().into_iter().zip(entry.example()?.iter()) {
         if info.default.as_ref() != Some(value) {

@@ -20,7 +20,7 @@ pub(super) fn measure(sitting: &Sitting<'_>) -> anyhow::Result<Section> {
     let file = file.to_str().context("the path of the font is text")?;
     for (kind, font) in [("built-in font", "DEPLOF"), ("outline font", file)] {
         let params = TextParams::default().text(loads::lines()).font(font);
-        params.build_uncached().map_err(crate::in_full)?;
+        params.build_uncached().map_err(crate::report)?;
         section.add(format!("1,000 characters, {kind}"), clock::best(|| params.build_uncached()), &times, kind);
     }
     Ok(section)

@@ -172,7 +172,7 @@ mod tests {
         let drawn = chart.draw().unwrap();
         assert_eq!(drawn.layers(), [GRID, Layer::new(1, 0), AXES]);
         let mut curve = drawn.edit();
-        curve.keep_layers(Layer::new(1, 0), Affects::Everything);
+        curve.keep_layers(Layer::new(1, 0), LayerTarget::All);
         let bbox = curve.build().unwrap().bbox().unwrap();
         assert!(bbox.min.x > -2.0 * LINE - 0.1 && bbox.max.y < PLOT.height && bbox.max.x > PLOT.width);
     }

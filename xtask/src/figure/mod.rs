@@ -53,12 +53,8 @@ pub(crate) fn run(flags: &FigureFlags) -> anyhow::Result<()> {
         y: "time in seconds",
         series,
     };
-    let device = chart.draw().map_err(crate::in_full)?;
-    svg::write(
-        &device,
-        &flags.out,
-        &SvgOptions { layers: colors().map_err(crate::in_full)?, ..SvgOptions::default() },
-    )?;
+    let device = chart.draw().map_err(crate::report)?;
+    svg::write(&device, &flags.out, &SvgOptions { layers: colors().map_err(crate::report)?, ..SvgOptions::default() })?;
     println!("{}", flags.out.display());
     Ok(())
 }

@@ -83,7 +83,7 @@ fn write(path: &Path, bytes: &[u8]) -> anyhow::Result<()> {
     if let Some(folder) = path.parent() {
         std::fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
     }
-    atomic::write(path, bytes).map(drop).map_err(|error| anyhow::anyhow!(error.in_full()))
+    atomic::write(path, bytes).map(drop).map_err(|error| anyhow::anyhow!(error.report()))
 }
 
 /// The folder of the workspace.

@@ -22,12 +22,12 @@ pub(super) fn all() -> anyhow::Result<Vec<Drawn>> {
         ("phidl-path/docs/waveguide.svg", waveguide()),
         ("phidl-route/docs/routes.svg", routes()),
     ];
-    figures.into_iter().map(|(path, device)| drawn(path.into(), &device.map_err(crate::in_full)?)).collect()
+    figures.into_iter().map(|(path, device)| drawn(path.into(), &device.map_err(crate::report)?)).collect()
 }
 
 pub(super) fn drawn(path: PathBuf, device: &Device) -> anyhow::Result<Drawn> {
     let options = FigureOptions { size: Size::new(640.0, 420.0), ..figure_options(device)? };
-    let text = svg::figure(device, &options).map_err(|error| anyhow::anyhow!(error.in_full()))?;
+    let text = svg::figure(device, &options).map_err(|error| anyhow::anyhow!(error.report()))?;
     Ok(Drawn { path, text })
 }
 

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use phidl_core::prelude::*;
 use phidl_core::registry;
-use phidl_core::runtime::Entry;
+use phidl_core::runtime::GeneratorInfo;
 use phidl_io::svg;
 
 use super::figure_options;
@@ -30,7 +30,7 @@ pub(crate) struct Plate {
 
 /// The devices of our libraries, by name.
 pub(crate) fn all(mut begin: impl FnMut(&str)) -> anyhow::Result<Vec<Plate>> {
-    let ours = |entry: &&Entry| ["phidl_geometry", "phidl_route"].contains(&krate(entry));
+    let ours = |entry: &&GeneratorInfo| ["phidl_geometry", "phidl_route"].contains(&krate(entry));
     registry::all()
         .filter(ours)
         .map(|entry| {
@@ -40,14 +40,14 @@ pub(crate) fn all(mut begin: impl FnMut(&str)) -> anyhow::Result<Vec<Plate>> {
         .collect()
 }
 
-fn plate(entry: &'static Entry) -> anyhow::Result<Plate> {
-    let params = entry.example().map_err(crate::in_full)?;
-    let device = entry.build(&params.by_name()).map_err(crate::in_full)?;
+fn plate(entry: &'static GeneratorInfo) -> anyhow::Result<Plate> {
+    let params = entry.example().map_err(crate::report)?;
+    let device = entry.build(&params.by_name()).map_err(crate::report)?;
     let mut options = figure_options(&device)?;
     if SHOW_SOURCES.iter().any(|family| entry.module.starts_with(family)) {
         params.iter().for_each(|(_, value)| devices_in(value, &mut options.sources));
     }
-    let figure = svg::figure(&device, &options).map_err(|error| anyhow::anyhow!(error.in_full()))?;
+    let figure = svg::figure(&device, &options).map_err(|error| anyhow::anyhow!(error.report()))?;
     let file = entry.picture.map(|file| PathBuf::from(krate(entry).replace('_', "-")).join(file));
     Ok(Plate {
         name: entry.name,
@@ -61,12 +61,12 @@ fn plate(entry: &'static Entry) -> anyhow::Result<Plate> {
     })
 }
 
-fn krate(entry: &Entry) -> &'static str {
+fn krate(entry: &GeneratorInfo) -> &'static str {
     entry.module.split("::").next().unwrap_or(entry.module)
 }
 
 /// The parameters that are not at their defaults, as `cargo xtask device --params` takes them.
-fn json(entry: &Entry, params: &[(&str, Value)]) -> String {
+fn json(entry: &GeneratorInfo, params: &[(&str, Value)]) -> String {
     let defaults = entry.params().into_iter().map(|param| param.default);
     let given = params.iter().zip(defaults).filter(|((_, value), default)| Some(value) != default.as_ref());
     let map: serde_json::Map<String, serde_json::Value> =
@@ -97,7 +97,7 @@ mod tests {
     fn every_plate_can_be_written_to_a_file_and_read_back() {
         for plate in all(|_| {}).unwrap() {
             let bytes = gds::to_bytes(&plate.device, &GdsOptions::default());
-            let bytes = bytes.unwrap_or_else(|error| panic!("{}: {}", plate.name, error.in_full()));
+            let bytes = bytes.unwrap_or_else(|error| panic!("{}: {}", plate.name, error.report()));
             let back = gds::read_bytes(&bytes, &ReadOptions::default()).unwrap();
             assert_eq!(back.problems, [], "{}", plate.name);
             let texts = |device: &Device| -> BTreeSet<String> {

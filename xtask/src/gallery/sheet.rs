@@ -44,7 +44,7 @@ const PAPER: &str = "#ffffff";
 
 /// The sheet as an SVG picture.
 pub(super) fn draw(plates: &[Plate]) -> anyhow::Result<String> {
-    let sheet = sheet(plates).map_err(crate::in_full)?;
+    let sheet = sheet(plates).map_err(crate::report)?;
     let mut layers = LayerSet::new();
     for (name, layer, color) in [("card", CARD, "#f3f5f8"), ("name", NAME, "#20262e"), ("scale", SCALE, "#8792a0")] {
         layers.add(NamedLayer { alpha: 1.0, ..NamedLayer::new(name, layer).color(color.parse()?) })?;
@@ -60,7 +60,7 @@ pub(super) fn draw(plates: &[Plate]) -> anyhow::Result<String> {
         sources: Vec::new(),
         background: Some(PAPER.parse()?),
     };
-    svg::figure(&sheet, &options).map_err(|error| anyhow::anyhow!(error.in_full()))
+    svg::figure(&sheet, &options).map_err(|error| anyhow::anyhow!(error.report()))
 }
 
 /// All devices that draw something on one sheet.

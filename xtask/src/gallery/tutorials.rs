@@ -22,9 +22,9 @@ pub(super) fn all() -> anyhow::Result<Vec<Drawn>> {
     ];
     let mut all = Vec::new();
     for (folder, chapters) in tutorials {
-        for (chapter, drawings) in chapters.map_err(crate::in_full)? {
+        for (chapter, drawings) in chapters.map_err(crate::report)? {
             let width: f64 = drawings.iter().map(|(_, device)| device.size().width).sum();
-            let figure = paths::rows(APART * width, [drawings]).map_err(crate::in_full)?;
+            let figure = paths::rows(APART * width, [drawings]).map_err(crate::report)?;
             all.push(paths::drawn(format!("{folder}/{chapter}.svg").into(), &figure)?);
         }
     }

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use phidl_core::param::{Bounds, Kind};
+use phidl_core::param::{Bounds, ParamType};
 use phidl_core::prelude::*;
-use phidl_core::runtime::{Entry, ParamInfo};
+use phidl_core::runtime::{GeneratorInfo, ParamInfo};
 use proptest::collection::{btree_map, vec};
 use proptest::prelude::*;
 use proptest::sample::select;
@@ -21,7 +21,7 @@ pub fn search(cases: u32) -> TestRunner {
 /// Values for all parameters that can be drawn at random, inside their bounds; the others keep their defaults.
 ///
 /// `None` if a parameter without a default is of a kind that nothing is drawn for: a device, another generator.
-pub fn params(entry: &Entry) -> Option<BoxedStrategy<BTreeMap<String, Value>>> {
+pub fn params(entry: &GeneratorInfo) -> Option<BoxedStrategy<BTreeMap<String, Value>>> {
     let nothing = Just(BTreeMap::new()).boxed();
     entry.params().into_iter().try_fold(nothing, |all, param| match value(&param.kind, &param.bounds) {
         Some(values) => Some(with(all, &param, values)),
@@ -47,23 +47,23 @@ fn with(
     (all, given).prop_map(insert).boxed()
 }
 
-fn value(kind: &Kind, bounds: &Bounds) -> Option<BoxedStrategy<Value>> {
+fn value(kind: &ParamType, bounds: &Bounds) -> Option<BoxedStrategy<Value>> {
     let list = |strategy: BoxedStrategy<Value>, count| vec(strategy, count).prop_map(Value::List).boxed();
     Some(match kind {
-        Kind::Number => number(bounds).prop_map(Value::Float).boxed(),
-        Kind::Integer => integer(bounds).prop_map(Value::Int).boxed(),
-        Kind::Bool => any::<bool>().prop_map(Value::Bool).boxed(),
-        Kind::Text => "[ -~]{0,8}".prop_map(Value::Text).boxed(),
-        Kind::Point | Kind::Size => list(number(bounds).prop_map(Value::Float).boxed(), 2..=2),
-        Kind::Layer => (0..60_i64).prop_map(Value::Int).boxed(),
-        Kind::Layers => {
+        ParamType::Number => number(bounds).prop_map(Value::Float).boxed(),
+        ParamType::Integer => integer(bounds).prop_map(Value::Int).boxed(),
+        ParamType::Bool => any::<bool>().prop_map(Value::Bool).boxed(),
+        ParamType::Text => "[ -~]{0,8}".prop_map(Value::Text).boxed(),
+        ParamType::Point | ParamType::Size => list(number(bounds).prop_map(Value::Float).boxed(), 2..=2),
+        ParamType::Layer => (0..60_i64).prop_map(Value::Int).boxed(),
+        ParamType::Layers => {
             prop_oneof![(0..60_i64).prop_map(Value::Int), Just(Value::from([7, 3])), Just(Value::Null)].boxed()
         }
-        Kind::Port => port().boxed(),
-        Kind::Choice(words) => select(*words).prop_map(Value::from).boxed(),
-        Kind::List(inner) => list(value(inner, bounds)?, 0..=4),
-        Kind::Map(inner) => btree_map("[A-Z]", value(inner, bounds)?, 0..=3).prop_map(Value::Map).boxed(),
-        Kind::Optional(inner) => prop_oneof![Just(Value::Null), value(inner, bounds)?].boxed(),
+        ParamType::Port => port().boxed(),
+        ParamType::Choice(words) => select(*words).prop_map(Value::from).boxed(),
+        ParamType::List(inner) => list(value(inner, bounds)?, 0..=4),
+        ParamType::Map(inner) => btree_map("[A-Z]", value(inner, bounds)?, 0..=3).prop_map(Value::Map).boxed(),
+        ParamType::Optional(inner) => prop_oneof![Just(Value::Null), value(inner, bounds)?].boxed(),
         _ => return None,
     })
 }

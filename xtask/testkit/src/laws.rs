@@ -12,7 +12,7 @@ const NOISE: f64 = 1e-8;
 ///
 /// # Errors
 /// The law that does not hold.
-pub fn placement_laws<T: Place + Clone + Debug>(thing: &T, t: &Transform) -> Result<(), TestCaseError> {
+pub fn placement_laws<T: Movable + Clone + Debug>(thing: &T, t: &Transform) -> Result<(), TestCaseError> {
     four_quarter_turns_are_the_identity(thing)?;
     there_and_back(thing, t)?;
     words_agree_with_transforms(thing, t)?;
@@ -22,14 +22,14 @@ pub fn placement_laws<T: Place + Clone + Debug>(thing: &T, t: &Transform) -> Res
     Ok(())
 }
 
-fn four_quarter_turns_are_the_identity<T: Place + Clone + Debug>(thing: &T) -> Result<(), TestCaseError> {
+fn four_quarter_turns_are_the_identity<T: Movable + Clone + Debug>(thing: &T) -> Result<(), TestCaseError> {
     let turned = thing.clone().rotated(90).rotated(90).rotated(90).rotated(90);
     prop_assert_eq!(turned.bbox(), thing.bbox());
     prop_assert_eq!(format!("{:?}", turned), format!("{:?}", thing), "exactly, in all that it holds");
     Ok(())
 }
 
-fn there_and_back<T: Place + Clone + Debug>(thing: &T, t: &Transform) -> Result<(), TestCaseError> {
+fn there_and_back<T: Movable + Clone + Debug>(thing: &T, t: &Transform) -> Result<(), TestCaseError> {
     let mut back = thing.clone();
     back.transform_mut(t);
     back.transform_mut(&t.inverse());
@@ -41,7 +41,7 @@ fn there_and_back<T: Place + Clone + Debug>(thing: &T, t: &Transform) -> Result<
     same_box(&thing.clone().rotated_about(turn, p).rotated_about(-turn, p), thing, "turn there and back")
 }
 
-fn words_agree_with_transforms<T: Place + Clone + Debug>(thing: &T, t: &Transform) -> Result<(), TestCaseError> {
+fn words_agree_with_transforms<T: Movable + Clone + Debug>(thing: &T, t: &Transform) -> Result<(), TestCaseError> {
     let mut at_once = thing.clone();
     at_once.transform_mut(t);
     let mut by_words = thing.clone();
@@ -52,7 +52,7 @@ fn words_agree_with_transforms<T: Place + Clone + Debug>(thing: &T, t: &Transfor
     same_box(&by_words, &at_once, "mirror, scale, rotate, move")
 }
 
-fn setters_put_edges_where_they_say<T: Place + Clone>(thing: &T, t: &Transform) -> Result<(), TestCaseError> {
+fn setters_put_edges_where_they_say<T: Movable + Clone>(thing: &T, t: &Transform) -> Result<(), TestCaseError> {
     let (x, y) = (t.origin.x, t.origin.y);
     let near = |a: f64, b: f64| (a - b).abs() < NOISE;
     let size = thing.size();

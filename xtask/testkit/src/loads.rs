@@ -2,7 +2,7 @@
 //! `benches/peers.py` gives other tools is written to match.
 
 use phidl_core::geom::Point;
-use phidl_core::place::Place as _;
+use phidl_core::place::Movable as _;
 use phidl_core::port::Port;
 use phidl_core::scene::Device;
 

@@ -1,6 +1,6 @@
 //! [`Equalization`]: how far a detector's turns are lengthened.
 
-use phidl_core::param::{Kind, Mismatch, Param};
+use phidl_core::param::{ConversionError, Param, ParamType};
 use phidl_core::prelude::*;
 
 /// How much of the differences in length between rows is made up for in the turns: 0 to 1, or `true` for all.
@@ -20,15 +20,15 @@ impl From<f64> for Equalization {
 }
 
 impl Param for Equalization {
-    fn kind() -> Kind {
-        Kind::Other("true, false, or a number from 0 to 1")
+    fn param_type() -> ParamType {
+        ParamType::Other("true, false, or a number from 0 to 1")
     }
 
     fn to_value(&self) -> Value {
         self.0.into()
     }
 
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
         match value {
             Value::Bool(all) => Ok((*all).into()),
             number => f64::from_value(number).map(Self),

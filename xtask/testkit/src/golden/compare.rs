@@ -150,14 +150,14 @@ fn check(case: &Case, difference: Option<&Difference>, draw: impl Fn(&Case) -> R
         if case.expect.get("error").is_some() {
             return Err("the reference refuses it, ours draws it".to_owned());
         }
-        let device = drawn.map_err(|error| format!("ours refuses it: {}", error.in_full()))?;
+        let device = drawn.map_err(|error| format!("ours refuses it: {}", error.report()))?;
         compare(&device, &case.expect, extent)
     };
     match difference.map(|difference| (difference.compare, difference)) {
         Some((Instead::Nothing, _)) => Ok(()),
         Some((Instead::Error, _)) => drawn.map_or(Ok(()), |_| Err("ours draws it and is said to refuse".to_owned())),
         Some((Instead::ErrorOrSame, _)) if drawn.is_err() => Ok(()),
-        Some((Instead::Drawn, _)) => drawn.map_or_else(|error| Err(error.in_full()), |_| Ok(())),
+        Some((Instead::Drawn, _)) => drawn.map_or_else(|error| Err(error.report()), |_| Ok(())),
         Some((Instead::Nearby, difference)) => same(drawn, Extent::of(case)).or_else(|why| {
             let nearby = difference.nudge.iter().flat_map(|name| nudged(case, name));
             let found = nearby.map(|case| same(draw(&case), Extent::Points)).any(|outcome| outcome.is_ok());

@@ -2,7 +2,7 @@
 //! are more than a comparison.
 
 use phidl_core::geom::{Point, Rect};
-use phidl_core::param::{Bounds, Kind};
+use phidl_core::param::{Bounds, ParamType};
 use phidl_core::runtime::registry;
 use serde::Deserialize;
 use serde_json::Value as Json;
@@ -69,16 +69,16 @@ pub(super) fn is_out_of_domain(case: &Case) -> bool {
         .any(|param| case.params.get(param.name).is_some_and(|value| breaks(value, &param.kind, &param.bounds)))
 }
 
-fn breaks(value: &Json, kind: &Kind, bounds: &Bounds) -> bool {
+fn breaks(value: &Json, kind: &ParamType, bounds: &Bounds) -> bool {
     match (value, kind) {
-        (value, Kind::Optional(inner)) => !value.is_null() && breaks(value, inner, bounds),
-        (Json::String(word), Kind::Choice(words)) => !words.contains(&word.as_str()),
-        (Json::Array(list), Kind::List(_) | Kind::Point | Kind::Size) => {
+        (value, ParamType::Optional(inner)) => !value.is_null() && breaks(value, inner, bounds),
+        (Json::String(word), ParamType::Choice(words)) => !words.contains(&word.as_str()),
+        (Json::Array(list), ParamType::List(_) | ParamType::Point | ParamType::Size) => {
             list.iter().any(|item| item.as_f64().is_some_and(|v| is_outside(v, bounds)))
         }
         // Counts are not negative without saying so.
-        (Json::Number(v), Kind::Integer) => v.as_f64().is_some_and(|v| v < 0.0 || is_outside(v, bounds)),
-        (Json::Number(v), Kind::Number) => v.as_f64().is_some_and(|v| is_outside(v, bounds)),
+        (Json::Number(v), ParamType::Integer) => v.as_f64().is_some_and(|v| v < 0.0 || is_outside(v, bounds)),
+        (Json::Number(v), ParamType::Number) => v.as_f64().is_some_and(|v| is_outside(v, bounds)),
         _ => false,
     }
 }

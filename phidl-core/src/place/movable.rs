@@ -1,6 +1,6 @@
-//! [`Place`]: the placement words.
+//! [`Movable`]: the placement words.
 
-use super::{Bounded, PlaceFault, Refusal, Transformable};
+use super::{Bounded, DeferredError, Refusal, Transformable};
 use crate::geom::{Point, Rect, Transform};
 
 /// Moves, turns, mirrors and relates things. Lengths in µm, angles in degrees counter-clockwise.
@@ -22,7 +22,7 @@ use crate::geom::{Point, Rect, Transform};
 ///
 /// # Empty things
 /// [`Bounded::bbox`] is `None`, and its readers (`x`, `xmin`, `size` …) give NaN, which no setter takes.
-pub trait Place: Transformable + Bounded {
+pub trait Movable: Transformable + Bounded {
     /// Moves by a vector.
     fn move_by(&mut self, by: impl Into<Point>) -> &mut Self {
         let by = by.into();
@@ -72,7 +72,7 @@ pub trait Place: Transformable + Bounded {
     fn mirror(&mut self, p1: impl Into<Point>, p2: impl Into<Point>) -> &mut Self {
         let (p1, p2) = (p1.into(), p2.into());
         let line = match p1 == p2 {
-            true => Err(PlaceFault { word: "mirror", refusal: Refusal::LineOfOnePoint(p1) }),
+            true => Err(DeferredError { word: "mirror", refusal: Refusal::LineOfOnePoint(p1) }),
             false => Ok(()),
         };
         match finite_point("mirror", p1).and(finite_point("mirror", p2)).and(line) {
@@ -86,7 +86,7 @@ pub trait Place: Transformable + Bounded {
     fn scale(&mut self, factor: impl Into<f64>) -> &mut Self {
         let factor = factor.into();
         let positive = match factor <= 0.0 {
-            true => Err(PlaceFault { word: "scale", refusal: Refusal::FactorNotPositive(factor) }),
+            true => Err(DeferredError { word: "scale", refusal: Refusal::FactorNotPositive(factor) }),
             false => Ok(()),
         };
         match finite("scale", factor).and(positive) {
@@ -209,9 +209,9 @@ pub trait Place: Transformable + Bounded {
     }
 }
 
-impl<T: Transformable + Bounded + ?Sized> Place for T {}
+impl<T: Transformable + Bounded + ?Sized> Movable for T {}
 
-fn relocate<'a, T: Place + ?Sized>(
+fn relocate<'a, T: Movable + ?Sized>(
     thing: &'a mut T,
     word: &'static str,
     displacement: impl FnOnce(Rect) -> Point,
@@ -219,7 +219,7 @@ fn relocate<'a, T: Place + ?Sized>(
     let by = match thing.bbox() {
         Some(bbox) => displacement(bbox),
         None => {
-            thing.refuse(PlaceFault { word, refusal: Refusal::Empty });
+            thing.refuse(DeferredError { word, refusal: Refusal::Empty });
             return thing;
         }
     };
@@ -230,10 +230,10 @@ fn relocate<'a, T: Place + ?Sized>(
     thing
 }
 
-fn finite(word: &'static str, v: f64) -> Result<(), PlaceFault> {
-    if v.is_finite() { Ok(()) } else { Err(PlaceFault { word, refusal: Refusal::NumberNotFinite(v) }) }
+fn finite(word: &'static str, v: f64) -> Result<(), DeferredError> {
+    if v.is_finite() { Ok(()) } else { Err(DeferredError { word, refusal: Refusal::NumberNotFinite(v) }) }
 }
 
-fn finite_point(word: &'static str, p: Point) -> Result<(), PlaceFault> {
-    if p.is_finite() { Ok(()) } else { Err(PlaceFault { word, refusal: Refusal::PointNotFinite(p) }) }
+fn finite_point(word: &'static str, p: Point) -> Result<(), DeferredError> {
+    if p.is_finite() { Ok(()) } else { Err(DeferredError { word, refusal: Refusal::PointNotFinite(p) }) }
 }

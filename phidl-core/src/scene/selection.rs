@@ -1,8 +1,8 @@
-//! [`Members`]: some of the things in an open cell, handled as one.
+//! [`Selection`]: some of the things in an open cell, handled as one.
 
 use super::{DeviceBuilder, Key};
 use crate::geom::{Point, Rect, Transform};
-use crate::place::{Arrange, Bounded, PlaceFault, Transformable};
+use crate::place::{Align, Bounded, DeferredError, Transformable};
 
 /// Some things in an open cell, handled as one: they move together, or are aligned and distributed.
 ///
@@ -18,7 +18,7 @@ use crate::place::{Arrange, Bounded, PlaceFault, Transformable};
 /// # Ok::<(), phidl_core::Error>(())
 /// ```
 #[derive(Debug)]
-pub struct Members<'a> {
+pub struct Selection<'a> {
     cell: &'a mut DeviceBuilder,
     keys: Vec<Key>,
 }
@@ -26,8 +26,8 @@ pub struct Members<'a> {
 impl DeviceBuilder {
     /// Some things in this cell, handled as one. A key that finds nothing comes back as the error of the next fallible
     /// call.
-    pub fn group<K: Into<Key>>(&mut self, keys: impl IntoIterator<Item = K>) -> Members<'_> {
-        let mut members = Members { cell: self, keys: Vec::new() };
+    pub fn group<K: Into<Key>>(&mut self, keys: impl IntoIterator<Item = K>) -> Selection<'_> {
+        let mut members = Selection { cell: self, keys: Vec::new() };
         for key in keys {
             let key = key.into();
             match members.bbox_of(key) {
@@ -40,13 +40,13 @@ impl DeviceBuilder {
         members
     }
 
-    /// One thing in this cell, with all placement words: `d.at(key).rotate(45)`.
-    pub fn at(&mut self, key: impl Into<Key>) -> Members<'_> {
+    /// One thing in this cell, with all placement methods: `d.select(key).rotate(45)`.
+    pub fn select(&mut self, key: impl Into<Key>) -> Selection<'_> {
         self.group([key.into()])
     }
 
     /// All polygons and references of this cell, polygons first.
-    pub fn everything(&mut self) -> Members<'_> {
+    pub fn select_all(&mut self) -> Selection<'_> {
         use super::{PolygonKey, ReferenceKey};
         let count = self.removed_polygons.next_number(self.cell.outlines.len());
         let polygons = (0..count).filter(|n| self.removed_polygons.place(*n).is_some());
@@ -54,11 +54,11 @@ impl DeviceBuilder {
         let count = self.removed_references.next_number(self.cell.references.len());
         let references = (0..count).filter(|n| self.removed_references.place(*n).is_some());
         keys.extend(references.map(|number| Key::from(ReferenceKey(number))));
-        Members { cell: self, keys }
+        Selection { cell: self, keys }
     }
 }
 
-impl Members<'_> {
+impl Selection<'_> {
     fn bbox_of(&self, key: Key) -> crate::Result<Option<Rect>> {
         Ok(match key {
             Key::Reference(key) => self.cell.reference(key)?.bbox(),
@@ -93,25 +93,25 @@ impl Members<'_> {
     }
 }
 
-impl Bounded for Members<'_> {
+impl Bounded for Selection<'_> {
     fn bbox(&self) -> Option<Rect> {
         Rect::union_all(self.member_boxes())
     }
 }
 
-impl Transformable for Members<'_> {
+impl Transformable for Selection<'_> {
     fn transform_mut(&mut self, by: &Transform) {
         for i in 0..self.keys.len() {
             self.transform_one(self.keys[i], by);
         }
     }
 
-    fn refuse(&mut self, fault: PlaceFault) {
+    fn refuse(&mut self, fault: DeferredError) {
         self.cell.refuse(fault);
     }
 }
 
-impl Arrange for Members<'_> {
+impl Align for Selection<'_> {
     fn member_boxes(&self) -> Vec<Option<Rect>> {
         self.keys.iter().map(|key| self.bbox_of(*key).ok().flatten()).collect()
     }
@@ -120,7 +120,7 @@ impl Arrange for Members<'_> {
         self.transform_one(self.keys[index], &Transform::translation(by));
     }
 
-    fn refuse_arrangement(&mut self, fault: PlaceFault) {
+    fn refuse_arrangement(&mut self, fault: DeferredError) {
         self.refuse(fault);
     }
 }

@@ -1,6 +1,6 @@
-//! [`Arrange`]: lining members up and spacing them out.
+//! [`Align`]: lining members up and spacing them out.
 
-use super::{PlaceFault, Refusal};
+use super::{DeferredError, Refusal};
 use crate::geom::{Point, Rect};
 
 /// An edge or a middle of a bounding box.
@@ -86,7 +86,7 @@ impl Direction {
 ///
 /// A member that draws nothing has no edge: nothing is moved, and the fault comes back as the error of the next
 /// fallible call.
-pub trait Arrange {
+pub trait Align {
     /// The box of every member, in order.
     fn member_boxes(&self) -> Vec<Option<Rect>>;
 
@@ -94,7 +94,7 @@ pub trait Arrange {
     fn move_member(&mut self, index: usize, by: Point);
 
     /// Keeps the first arrangement that was refused.
-    fn refuse_arrangement(&mut self, fault: PlaceFault);
+    fn refuse_arrangement(&mut self, fault: DeferredError);
 
     /// Moves every member until this edge of it is where this edge of all of them together was.
     fn align(&mut self, edge: Edge) -> &mut Self {
@@ -143,22 +143,22 @@ pub trait Arrange {
 }
 
 /// The boxes of all members, or `None` with a fault kept if one is empty.
-fn boxes<T: Arrange + ?Sized>(members: &mut T, word: &'static str) -> Option<Vec<Rect>> {
+fn boxes<T: Align + ?Sized>(members: &mut T, word: &'static str) -> Option<Vec<Rect>> {
     let boxes: Option<Vec<Rect>> = members.member_boxes().into_iter().collect();
     if boxes.is_none() {
-        members.refuse_arrangement(PlaceFault { word, refusal: Refusal::Empty });
+        members.refuse_arrangement(DeferredError { word, refusal: Refusal::Empty });
     }
     boxes
 }
 
-fn accept_spacing<T: Arrange + ?Sized>(members: &mut T, spacing: f64) -> bool {
+fn accept_spacing<T: Align + ?Sized>(members: &mut T, spacing: f64) -> bool {
     if !spacing.is_finite() {
-        members.refuse_arrangement(PlaceFault { word: "distribute", refusal: Refusal::NumberNotFinite(spacing) });
+        members.refuse_arrangement(DeferredError { word: "distribute", refusal: Refusal::NumberNotFinite(spacing) });
     }
     spacing.is_finite()
 }
 
-fn shift_edges<T: Arrange + ?Sized>(members: &mut T, boxes: &[Rect], edge: Edge, place: impl Fn(usize) -> f64) {
+fn shift_edges<T: Align + ?Sized>(members: &mut T, boxes: &[Rect], edge: Edge, place: impl Fn(usize) -> f64) {
     for (i, b) in boxes.iter().enumerate() {
         members.move_member(i, edge.direction().vector(place(i) - edge.of(*b)));
     }

@@ -43,7 +43,7 @@ impl Device {
     /// let mut d = Device::builder("pair");
     /// d.add(&dot);
     /// d.add(dot.place().moved_by((5, 0)));
-    /// let reviewed = d.build()?.rewritten(|cell| Ok(drop(cell.info("reviewed", true))))?;
+    /// let reviewed = d.build()?.map_cells(|cell| Ok(drop(cell.info("reviewed", true))))?;
     /// assert!(reviewed.references()[0].device().same_cell(reviewed.references()[1].device()));
     /// assert!(dot.info().is_empty() && reviewed.references()[0].device().info().contains_key("reviewed"));
     /// # Ok::<(), phidl_core::Error>(())
@@ -51,7 +51,7 @@ impl Device {
     ///
     /// # Errors
     /// What `change` says.
-    pub fn rewritten(&self, mut change: impl FnMut(&mut DeviceBuilder) -> Result<()>) -> Result<Device> {
+    pub fn map_cells(&self, mut change: impl FnMut(&mut DeviceBuilder) -> Result<()>) -> Result<Device> {
         let mut copies: HashMap<usize, Device> = HashMap::new();
         for device in self.cells().iter().rev() {
             let mut copy = device.edit();
@@ -65,7 +65,7 @@ impl Device {
     /// The info of every distinct cell of the hierarchy below this one, in the order of [`Device::cells`], each with
     /// its cell. The cell's own info is [`Device::info`].
     #[must_use]
-    pub fn info_below(&self) -> Vec<(Device, BTreeMap<String, Value>)> {
+    pub fn descendant_info(&self) -> Vec<(Device, BTreeMap<String, Value>)> {
         let below = self.cells().into_iter().skip(1);
         below.map(|cell| (cell.clone(), cell.info().clone())).collect()
     }

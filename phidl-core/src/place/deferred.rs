@@ -1,4 +1,4 @@
-//! [`PlaceFault`]: a placement word that was refused.
+//! [`DeferredError`]: a placement word that was refused.
 
 use crate::error::Error;
 use crate::geom::Point;
@@ -6,7 +6,7 @@ use crate::geom::Point;
 /// A placement word and why it was refused. The thing that was to be placed keeps it, and whoever takes the thing in
 /// makes an [`Error`] of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PlaceFault {
+pub struct DeferredError {
     /// The word.
     pub word: &'static str,
     /// Why it was refused.
@@ -31,7 +31,7 @@ pub enum Refusal {
     Empty,
 }
 
-impl PlaceFault {
+impl DeferredError {
     /// The error for it, naming the cell and the thing that was to be placed.
     #[must_use]
     pub fn into_error(self, device: &str, what: &str) -> Error {
@@ -62,7 +62,7 @@ impl PlaceFault {
                 value: format!("{p} to {p}").into(),
                 rule: "have two different points".into(),
             },
-            Refusal::Empty => Error::Empty { device, word, what: what.into() },
+            Refusal::Empty => Error::EmptyGeometry { device, word, what: what.into() },
         }
     }
 }

@@ -1,14 +1,14 @@
-//! [`Entry`]: what the registry knows of a generator.
+//! [`GeneratorInfo`]: what the registry knows of a generator.
 
 use std::collections::BTreeMap;
 
-use super::{Generator, Reader, Record};
+use super::{Generator, ParamReader, ParamValues};
 use crate::error::Result;
-use crate::param::{Bounds, Kind, Param, Site, Value};
+use crate::param::{Bounds, Param, ParamPath, ParamType, Value};
 use crate::scene::{Device, Source};
 
 /// A generator that is linked into the program.
-pub struct Entry {
+pub struct GeneratorInfo {
     /// The name under which it is registered.
     pub name: &'static str,
     /// Path of the module it stands in.
@@ -19,15 +19,15 @@ pub struct Entry {
     pub docs: &'static str,
     /// The file of its drawing, from the folder of its crate.
     pub picture: Option<&'static str>,
-    /// The parameters of its [`example`](Entry::example) as the source has them, `RingParams::default()`; empty if there
+    /// The parameters of its [`example`](GeneratorInfo::example) as the source has them, `RingParams::default()`; empty if there
     /// is none.
     pub example_source: &'static str,
-    rows: &'static [Row],
+    rows: &'static [ParamSpec],
     defaults: fn() -> Vec<Option<Value>>,
-    example: fn() -> Result<Record>,
-    record: fn(&Reader<'_>) -> Result<Record>,
-    build: fn(&Reader<'_>) -> Result<Device>,
-    redraw: fn(&Reader<'_>) -> Result<Redraw>,
+    example: fn() -> Result<ParamValues>,
+    record: fn(&ParamReader<'_>) -> Result<ParamValues>,
+    build: fn(&ParamReader<'_>) -> Result<Device>,
+    redraw: fn(&ParamReader<'_>) -> Result<Redraw>,
 }
 
 /// A call whose parameters are read: draws the cell anew each time, as [`Generator::build_uncached`].
@@ -41,7 +41,7 @@ pub struct ParamInfo {
     /// Its documentation, in Markdown.
     pub docs: &'static str,
     /// What it takes.
-    pub kind: Kind,
+    pub kind: ParamType,
     /// The unit of its numbers, spelled as in `#[param(unit = …)]`.
     pub unit: Option<&'static str>,
     /// The range of its numbers.
@@ -52,23 +52,23 @@ pub struct ParamInfo {
 
 /// A parameter as the macro writes it down. (Hidden: what generated code fills in.)
 #[derive(Debug)]
-pub struct Row {
+pub struct ParamSpec {
     pub(super) name: &'static str,
     docs: &'static str,
-    kind: fn() -> Kind,
+    kind: fn() -> ParamType,
     unit: &'static str,
     bounds: Bounds,
 }
 
-impl Row {
+impl ParamSpec {
     #[doc(hidden)]
     #[must_use]
     pub const fn new<T: Param>(name: &'static str, docs: &'static str, unit: &'static str, bounds: Bounds) -> Self {
-        Self { name, docs: docs.trim_ascii(), kind: T::kind, unit, bounds }
+        Self { name, docs: docs.trim_ascii(), kind: T::param_type, unit, bounds }
     }
 }
 
-impl Entry {
+impl GeneratorInfo {
     #[doc(hidden)]
     #[must_use]
     pub const fn new<G: Generator>(
@@ -76,7 +76,7 @@ impl Entry {
         module: &'static str,
         version: &'static str,
         docs: &'static str,
-        rows: &'static [Row],
+        rows: &'static [ParamSpec],
     ) -> Self {
         Self {
             name,
@@ -112,7 +112,7 @@ impl Entry {
     /// The parameters, in the generator's order.
     #[must_use]
     pub fn params(&self) -> Vec<ParamInfo> {
-        let info = |(row, default): (&Row, _)| ParamInfo {
+        let info = |(row, default): (&ParamSpec, _)| ParamInfo {
             name: row.name,
             docs: row.docs,
             kind: (row.kind)(),
@@ -128,7 +128,7 @@ impl Entry {
     /// # Errors
     /// [`ParamError`](crate::error::ParamError) if a parameter has no default and no example was given, and what the
     /// example says.
-    pub fn example(&self) -> Result<Record> {
+    pub fn example(&self) -> Result<ParamValues> {
         (self.example)()
     }
 
@@ -138,8 +138,8 @@ impl Entry {
     /// # Errors
     /// [`Error::Unknown`](crate::Error::Unknown) for a parameter that is not there,
     /// [`ParamError`](crate::error::ParamError) for one that is missing, of another kind or out of its bounds.
-    pub fn record(&'static self, params: &BTreeMap<String, Value>) -> Result<Record> {
-        let record = (self.record)(&Reader::new(self, params)?)?;
+    pub fn record(&'static self, params: &BTreeMap<String, Value>) -> Result<ParamValues> {
+        let record = (self.record)(&ParamReader::new(self, params)?)?;
         self.check_bounds(&record)?;
         Ok(record)
     }
@@ -147,18 +147,18 @@ impl Entry {
     /// The cell with these parameters, the others at their defaults.
     ///
     /// # Errors
-    /// As for [`Entry::record`], and what the generator says.
+    /// As for [`GeneratorInfo::record`], and what the generator says.
     pub fn build(&'static self, params: &BTreeMap<String, Value>) -> Result<Device> {
-        (self.build)(&Reader::new(self, params)?)
+        (self.build)(&ParamReader::new(self, params)?)
     }
 
     /// A way to draw the cell with these parameters again and again, past the cache: for measuring what a body costs.
     /// Generators that the body calls use the cache as ever.
     ///
     /// # Errors
-    /// Parameters that cannot be read, as for [`Entry::record`]; what is out of bounds, each drawing reports.
+    /// Parameters that cannot be read, as for [`GeneratorInfo::record`]; what is out of bounds, each drawing reports.
     pub fn redraw(&'static self, params: &BTreeMap<String, Value>) -> Result<Redraw> {
-        (self.redraw)(&Reader::new(self, params)?)
+        (self.redraw)(&ParamReader::new(self, params)?)
     }
 
     /// The registered names of the parameters.
@@ -166,7 +166,7 @@ impl Entry {
         self.rows.iter().map(|row| row.name)
     }
 
-    pub(super) fn row(&self, index: usize) -> &'static Row {
+    pub(super) fn row(&self, index: usize) -> &'static ParamSpec {
         &self.rows[index]
     }
 
@@ -176,22 +176,22 @@ impl Entry {
     }
 
     /// What a cell records that was drawn with these parameters.
-    pub(super) fn source(&self, params: Record) -> Source {
+    pub(super) fn source(&self, params: ParamValues) -> Source {
         Source { generator: self.name, module: self.module, version: self.version, params }
     }
 
     /// Refuses a number that is out of its bounds or not finite.
-    pub(super) fn check_bounds(&self, record: &Record) -> Result<()> {
+    pub(super) fn check_bounds(&self, record: &ParamValues) -> Result<()> {
         for (row, (_, value)) in self.rows.iter().zip(record.iter()) {
-            let at = Site { device: self.name, place: row.name, unit: row.unit };
+            let at = ParamPath { device: self.name, place: row.name, unit: row.unit };
             row.bounds.check(at, row.kind, value)?;
         }
         Ok(())
     }
 }
 
-impl std::fmt::Debug for Entry {
+impl std::fmt::Debug for GeneratorInfo {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "Entry({}::{})", self.module, self.name)
+        write!(f, "GeneratorInfo({}::{})", self.module, self.name)
     }
 }

@@ -1,4 +1,4 @@
-//! [`Kind`]: what sort of value a parameter takes, in words.
+//! [`ParamType`]: what sort of value a parameter takes, in words.
 
 /// The type of a parameter as the registry tells it.
 ///
@@ -6,7 +6,7 @@
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 #[expect(missing_docs, reason = "most variants are what they are called")]
-pub enum Kind {
+pub enum ParamType {
     Number,
     Integer,
     Bool,
@@ -20,22 +20,22 @@ pub enum Kind {
     Layers,
     Port,
     Device,
-    /// A generator with some of its parameters: a [`Recipe`](crate::runtime::Recipe).
+    /// A generator with some of its parameters: a [`Partial`](crate::runtime::Partial).
     Generator,
     /// Any [`Value`](super::Value).
     Any,
     /// One of these words.
     Choice(&'static [&'static str]),
-    List(Box<Kind>),
+    List(Box<ParamType>),
     /// Values by name.
-    Map(Box<Kind>),
+    Map(Box<ParamType>),
     /// The inner kind or nothing.
-    Optional(Box<Kind>),
+    Optional(Box<ParamType>),
     /// A type of the user's own, in the user's words.
     Other(&'static str),
 }
 
-impl Kind {
+impl ParamType {
     /// How a number stands inside a value of this kind: `.width` for the first number of a size.
     pub(crate) fn place(&self, index: usize) -> String {
         match (self, index) {
@@ -59,7 +59,7 @@ impl Kind {
     }
 }
 
-impl std::fmt::Display for Kind {
+impl std::fmt::Display for ParamType {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {
             Self::Number => "number",
@@ -90,14 +90,14 @@ mod tests {
 
     #[test]
     fn the_coordinates_of_an_optional_size_have_names() {
-        assert_eq!(Kind::Optional(Box::new(Kind::Size)).place(1), ".height");
-        assert_eq!(Kind::List(Box::new(Kind::Size)).place(1), "[1]");
+        assert_eq!(ParamType::Optional(Box::new(ParamType::Size)).place(1), ".height");
+        assert_eq!(ParamType::List(Box::new(ParamType::Size)).place(1), "[1]");
     }
 
     #[test]
     fn kinds_are_told_in_words() {
-        let list = Kind::List(Box::new(Kind::Optional(Box::new(Kind::Number))));
+        let list = ParamType::List(Box::new(ParamType::Optional(Box::new(ParamType::Number))));
         assert_eq!(list.to_string(), "list of number or none");
-        assert_eq!(Kind::Choice(&["straight", "fillet"]).to_string(), "one of straight, fillet");
+        assert_eq!(ParamType::Choice(&["straight", "fillet"]).to_string(), "one of straight, fillet");
     }
 }

@@ -1,10 +1,10 @@
-//! [`Recipe`]: a generator with some of its parameters, not drawn yet; and devices that are drawn from values.
+//! [`Partial`]: a generator with some of its parameters, not drawn yet; and devices that are drawn from values.
 
 use std::collections::BTreeMap;
 
-use super::{Entry, Generator, Record, registry};
+use super::{Generator, GeneratorInfo, ParamValues, registry};
 use crate::error::Result;
-use crate::param::{Kind, Mismatch, Param, Value};
+use crate::param::{ConversionError, Param, ParamType, Value};
 use crate::scene::Device;
 
 /// A generator with parameters that can still be overridden: what a sweep draws many times.
@@ -12,25 +12,25 @@ use crate::scene::Device;
 /// Where a generator takes one, the parameter struct of any other is given for it. From JSON it is
 /// `{"device": NAME, "params": {…}}` or, with every parameter at its default, `"NAME"`.
 #[derive(Debug, Clone)]
-pub struct Recipe {
-    entry: &'static Entry,
+pub struct Partial {
+    entry: &'static GeneratorInfo,
     params: BTreeMap<String, Value>,
 }
 
-impl Recipe {
+impl Partial {
     /// The registered generator with this name and some of its parameters.
     ///
     /// # Errors
     /// A generator or parameter that is not there. The values are looked at when the rest is known.
     pub fn new(name: &str, params: BTreeMap<String, Value>) -> Result<Self> {
         let entry = registry::find(name)?;
-        super::Reader::new(entry, &params)?;
+        super::ParamReader::new(entry, &params)?;
         Ok(Self { entry, params })
     }
 
     /// The generator.
     #[must_use]
-    pub fn entry(&self) -> &'static Entry {
+    pub fn entry(&self) -> &'static GeneratorInfo {
         self.entry
     }
 
@@ -47,42 +47,42 @@ impl Recipe {
     pub fn with<K: Into<String>>(&self, params: impl IntoIterator<Item = (K, Value)>) -> Result<Self> {
         let mut all = self.params.clone();
         all.extend(params.into_iter().map(|(name, value)| (name.into(), value)));
-        super::Reader::new(self.entry, &all)?;
+        super::ParamReader::new(self.entry, &all)?;
         Ok(Self { entry: self.entry, params: all })
     }
 
     /// Every parameter, checked but not drawn.
     ///
     /// # Errors
-    /// As for [`Entry::record`].
-    pub fn record(&self) -> Result<Record> {
+    /// As for [`GeneratorInfo::record`].
+    pub fn record(&self) -> Result<ParamValues> {
         self.entry.record(&self.params)
     }
 
     /// The cell.
     ///
     /// # Errors
-    /// As for [`Entry::build`].
+    /// As for [`GeneratorInfo::build`].
     pub fn build(&self) -> Result<Device> {
         self.entry.build(&self.params)
     }
 }
 
-impl<G: Generator> From<G> for Recipe {
+impl<G: Generator> From<G> for Partial {
     fn from(generator: G) -> Self {
         Self { entry: G::entry(), params: generator.record().by_name() }
     }
 }
 
-impl PartialEq for Recipe {
+impl PartialEq for Partial {
     fn eq(&self, other: &Self) -> bool {
         std::ptr::eq(self.entry, other.entry) && self.params == other.params
     }
 }
 
-impl Param for Recipe {
-    fn kind() -> Kind {
-        Kind::Generator
+impl Param for Partial {
+    fn param_type() -> ParamType {
+        ParamType::Generator
     }
 
     fn to_value(&self) -> Value {
@@ -91,16 +91,17 @@ impl Param for Recipe {
         Value::Map([("device".to_owned(), Value::Text(name)), ("params".to_owned(), params)].into())
     }
 
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
-        let (name, params) = parts(value)
-            .ok_or_else(|| Mismatch::new(value, "be a generator, {\"device\": NAME, \"params\": {…}} or its name"))?;
-        Self::new(name, params).map_err(|error| Mismatch::caused_by(value, error))
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
+        let (name, params) = parts(value).ok_or_else(|| {
+            ConversionError::new(value, "be a generator, {\"device\": NAME, \"params\": {…}} or its name")
+        })?;
+        Self::new(name, params).map_err(|error| ConversionError::caused_by(value, error))
     }
 }
 
 impl Param for Device {
-    fn kind() -> Kind {
-        Kind::Device
+    fn param_type() -> ParamType {
+        ParamType::Device
     }
 
     fn to_value(&self) -> Value {
@@ -108,14 +109,14 @@ impl Param for Device {
     }
 
     /// Draws the device that the value names, unless it is one.
-    fn from_value(value: &Value) -> Result<Self, Mismatch> {
+    fn from_value(value: &Value) -> Result<Self, ConversionError> {
         if let Value::Device(device) = value {
             return Ok(device.clone());
         }
-        let (name, params) =
-            parts(value).ok_or_else(|| Mismatch::new(value, "be a device, {\"device\": NAME, \"params\": {…}}"))?;
+        let (name, params) = parts(value)
+            .ok_or_else(|| ConversionError::new(value, "be a device, {\"device\": NAME, \"params\": {…}}"))?;
         let built = registry::find(name).and_then(|entry| entry.build(&params));
-        built.map_err(|error| Mismatch::caused_by(value, error))
+        built.map_err(|error| ConversionError::caused_by(value, error))
     }
 }
 

@@ -1,4 +1,4 @@
-//! [`Record`]: the parameters of a call as plain values, and which generator with which parameters it is.
+//! [`ParamValues`]: the parameters of a call as plain values, and which generator with which parameters it is.
 
 use std::any::TypeId;
 use std::collections::BTreeMap;
@@ -17,7 +17,7 @@ use crate::param::Value;
 /// written to JSON are all made of it, so they cannot drift apart. A clone shares it. Records are equal if they are of
 /// the same generator and hold equal values, floats by their bits.
 #[derive(Clone)]
-pub struct Record(ThinArc<Call, (&'static str, Value)>);
+pub struct ParamValues(ThinArc<Call, (&'static str, Value)>);
 
 /// What a record is looked up by: computed once, before the lock of the cache is taken.
 struct Call {
@@ -25,7 +25,7 @@ struct Call {
     hash: u64,
 }
 
-impl Record {
+impl ParamValues {
     /// The record of a generator. (Generated code makes it.)
     #[doc(hidden)]
     #[must_use]
@@ -43,7 +43,7 @@ impl Record {
         Self(ThinArc::from_header_and_iter(call, params))
     }
 
-    /// The parameters as they are given to [`Entry::build`](super::Entry::build).
+    /// The parameters as they are given to [`GeneratorInfo::build`](super::GeneratorInfo::build).
     #[must_use]
     pub fn by_name(&self) -> BTreeMap<String, Value> {
         self.iter().map(|(name, value)| ((*name).to_owned(), value.clone())).collect()
@@ -54,14 +54,14 @@ impl Record {
     }
 }
 
-impl<const N: usize> From<[(&'static str, Value); N]> for Record {
+impl<const N: usize> From<[(&'static str, Value); N]> for ParamValues {
     /// A record of no generator.
     fn from(mut params: [(&'static str, Value); N]) -> Self {
         Self::new(TypeId::of::<()>(), &mut params)
     }
 }
 
-impl Deref for Record {
+impl Deref for ParamValues {
     type Target = [(&'static str, Value)];
 
     fn deref(&self) -> &Self::Target {
@@ -69,7 +69,7 @@ impl Deref for Record {
     }
 }
 
-impl PartialEq for Record {
+impl PartialEq for ParamValues {
     fn eq(&self, other: &Self) -> bool {
         let (a, b) = (self.call(), other.call());
         let values = || self.iter().zip(other.iter()).all(|((_, a), (_, b))| a == b);
@@ -77,15 +77,15 @@ impl PartialEq for Record {
     }
 }
 
-impl Eq for Record {}
+impl Eq for ParamValues {}
 
-impl Hash for Record {
+impl Hash for ParamValues {
     fn hash<H: Hasher>(&self, state: &mut H) {
         self.call().hash.hash(state);
     }
 }
 
-impl std::fmt::Debug for Record {
+impl std::fmt::Debug for ParamValues {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_map().entries(self.iter().map(|(name, value)| (name, value))).finish()
     }

@@ -1,4 +1,4 @@
-//! [`Mismatch`]: a value that cannot be taken for a parameter.
+//! [`ConversionError`]: a value that cannot be taken for a parameter.
 
 use super::Value;
 use crate::error::{Error, ParamError};
@@ -6,12 +6,12 @@ use crate::error::{Error, ParamError};
 /// Why a [`Value`] is not what a parameter takes: the value, the rule, and the place inside the parameter.
 ///
 /// ```
-/// # use phidl_core::param::{Mismatch, Value};
-/// let mismatch = Mismatch::new(&Value::from("x"), "be a number").at("[3]");
+/// # use phidl_core::param::{ConversionError, Value};
+/// let mismatch = ConversionError::new(&Value::from("x"), "be a number").at("[3]");
 /// assert_eq!(mismatch.to_string(), "[3] is \"x\", but it must be a number");
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-pub struct Mismatch(Box<Inner>);
+pub struct ConversionError(Box<Inner>);
 
 #[derive(Debug, Clone, PartialEq)]
 struct Inner {
@@ -22,7 +22,7 @@ struct Inner {
     cause: Option<Error>,
 }
 
-impl Mismatch {
+impl ConversionError {
     /// A value that must do otherwise; the rule is the end of "it must …".
     pub fn new(value: &Value, rule: impl Into<String>) -> Self {
         let (value, rule) = (value.to_string(), rule.into());
@@ -53,7 +53,7 @@ impl Mismatch {
     }
 }
 
-impl std::fmt::Display for Mismatch {
+impl std::fmt::Display for ConversionError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let Inner { place, value, rule, .. } = &*self.0;
         let place = if place.is_empty() { "the value" } else { place };
@@ -61,7 +61,7 @@ impl std::fmt::Display for Mismatch {
     }
 }
 
-impl std::error::Error for Mismatch {
+impl std::error::Error for ConversionError {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         self.0.cause.as_ref().map(|cause| cause as _)
     }
