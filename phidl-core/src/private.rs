@@ -3,12 +3,18 @@
 pub use inventory;
 
 pub use crate::error::Result;
-pub use crate::param::{Bounds, ConversionError, IntoOption, Param, ParamType, Value};
+pub use crate::param::{Bounds, Check, ConversionError, IntoOption, Param, ParamSpec, ParamType, Value};
 pub use crate::runtime::registry::Registered;
-pub use crate::runtime::{Generator, GeneratorInfo, ParamReader, ParamSpec, ParamValues};
+pub use crate::runtime::{Generator, GeneratorInfo, ParamReader, ParamValues};
 pub use crate::scene::Device;
 
 use std::collections::BTreeMap;
+
+/// The rules of a generator, for its body.
+#[must_use]
+pub fn check<G: Generator>() -> Check<'static> {
+    G::entry().check()
+}
 
 /// Any parameter from what converts to it without loss.
 pub fn widen<T>(v: impl Into<T>) -> T {

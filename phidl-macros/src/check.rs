@@ -1,8 +1,9 @@
 //! The rules over a generator, all checked, each mistake under its own token.
 
+use syn::ext::IdentExt;
 use syn::{FnArg, Safety, Signature, Type};
 
-use crate::model::{Generator, Parameter};
+use crate::model::{CHECK, Generator, Parameter};
 use crate::parse::number;
 use crate::problems::Problems;
 use crate::widen::{last_segment, type_arguments};
@@ -73,6 +74,11 @@ fn is_result(ty: &Type) -> bool {
 }
 
 fn parameter(param: &Parameter, problems: &mut Problems) {
+    if param.name.unraw() == CHECK {
+        let message = "the body finds the rules of its generator under the name `check`; choose another name for the \
+            parameter and register it with `#[param(name = \"check\")]`";
+        problems.at(&param.name, message);
+    }
     owned(&param.ty, problems);
     if let (Some(named), None) = (&param.named, &param.default) {
         problems.at(named, "a parameter that is not an argument of the function needs a default");

@@ -81,10 +81,31 @@ use proc_macro::TokenStream;
 ///
 /// Documentation and levels of lints are carried over. Numbers that are NaN or infinite are always refused.
 ///
+/// # Rules that bounds cannot state
+/// The body finds the rules of its generator under the name `check`, a `phidl_core::param::Check`. It knows the name
+/// of the generator and the units of its parameters. A function that the body calls takes it as an argument.
+///
+/// ```
+/// use phidl_core::prelude::*;
+/// use phidl_macros::device;
+///
+/// #[device]
+/// fn slot(
+///     #[param(unit = "um", above = 0)] width: f64,
+///     #[param(unit = "um", above = 0)] pitch: f64,
+/// ) -> Result<Device> {
+///     check.greater("pitch", pitch, ("width", width))?;
+///     Device::builder("slot").build()
+/// }
+///
+/// let error = slot(2, 1).unwrap_err();
+/// assert_eq!(error.to_string(), "slot: pitch is 1 µm, but it must be greater than width, 2 µm");
+/// ```
+///
 /// # What is refused
 /// Methods, generics, `async`, `const`, `unsafe`, borrowed parameters, patterns, another result than `Result<Device>`,
 /// options that are unknown or given twice, a default outside of its own bounds: all mistakes at once, each under its
-/// own token. `phidl_core::param::Check` states the rules that bounds cannot.
+/// own token.
 ///
 /// # Calls that need a hint
 /// An empty list has no type to be seen: write `Vec::<f64>::new()`. `Some(5)` for an `Option<f64>` is no float: write

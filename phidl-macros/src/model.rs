@@ -5,6 +5,9 @@ use syn::{Attribute, Expr, LitStr, Token, Type, Visibility};
 
 use crate::widen::Widen;
 
+/// The name under which the body finds the rules of its generator.
+pub(crate) const CHECK: &str = "check";
+
 /// A function under `#[device]`.
 pub(crate) struct Generator {
     pub(crate) attributes: Attributes,

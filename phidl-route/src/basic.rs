@@ -3,7 +3,6 @@
 use std::f64::consts::PI;
 
 use phidl_core::num::{angle, count};
-use phidl_core::param::Check;
 use phidl_core::prelude::*;
 use phidl_macros::{Choice, device};
 
@@ -97,7 +96,6 @@ pub fn route_basic(
     #[param(named)]
     layer: Layers,
 ) -> Result<Device> {
-    let check = Check::device("route_basic");
     check.at_least("num_path_pts", num_path_pts, 2)?;
     check.at_most("num_path_pts", num_path_pts, count::MOST)?;
     let request = Request::new("route_basic", &port1, &port2)?;

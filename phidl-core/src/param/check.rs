@@ -1,15 +1,21 @@
 //! [`Check`]: rules of a generator that `#[param]` cannot state, such as one parameter against another.
+//!
+//! `#[device]` hands the rules to the body as `check`. The alternative, a constructor that takes the name of the
+//! generator, was rejected: a renamed generator would keep its old name in errors and lose the units of its parameters.
 
+use super::ParamSpec;
 use super::unit::Quantity;
 use crate::error::{Error, ParamError, Result};
-use crate::runtime;
 
-/// Rules over the parameters of one generator. Each one that is broken is an error with device, parameter, value and
-/// rule; NaN and infinity break all of them.
+/// Rules over the parameters of one generator. A broken rule is an error with device, parameter, value and rule. NaN
+/// and infinity break every rule.
+///
+/// The body of a `#[device]` function finds the rules of its own generator under the name `check`; the units come from
+/// the `#[param(unit = …)]` of its parameters. A function that the body calls takes `check` as an argument.
 ///
 /// ```
 /// # use phidl_core::param::Check;
-/// let check = Check::device("optimal_hairpin").unit("um");
+/// let check = Check::new("optimal_hairpin").unit("um"); // in a generator: `check` is there
 /// let (pitch, width) = (0.2, 0.35);
 /// assert_eq!(
 ///     check.greater("pitch", pitch, ("width", width)).unwrap_err().to_string(),
@@ -19,11 +25,12 @@ use crate::runtime;
 /// check.at_most("width", width, ("twice the pitch", 2.0 * pitch))?;
 /// # Ok::<(), phidl_core::Error>(())
 /// ```
-///
-/// In the body of a generator the unit comes from the `#[param(unit = …)]` of the parameter and need not be given.
 #[derive(Debug, Clone, Copy)]
 pub struct Check<'a> {
     device: &'a str,
+    /// The parameters that have units.
+    params: &'a [ParamSpec],
+    /// The unit of all numbers, whatever `params` say.
     unit: Option<&'a str>,
 }
 
@@ -65,13 +72,19 @@ impl<'a, N: ToF64> From<(&'a str, N)> for Bound<'a> {
 }
 
 impl<'a> Check<'a> {
-    /// Rules of the generator with this name.
+    /// Rules of an ordinary function that draws a device with this name. No parameter has a unit.
     #[must_use]
-    pub fn device(name: &'a str) -> Self {
-        Self { device: name, unit: None }
+    pub const fn new(device: &'a str) -> Self {
+        Self { device, params: &[], unit: None }
     }
 
-    /// The same, with numbers in this unit, spelled as in `#[param(unit = …)]`.
+    /// Rules of a generator.
+    pub(crate) fn of(device: &'a str, params: &'a [ParamSpec]) -> Self {
+        Self { device, params, unit: None }
+    }
+
+    /// The same rules for a number in this unit, spelled as in `#[param(unit = …)]`: for one that is computed from
+    /// parameters.
     #[must_use]
     pub fn unit(self, unit: &'a str) -> Self {
         Self { unit: Some(unit), ..self }
@@ -128,7 +141,8 @@ impl<'a> Check<'a> {
     ///
     /// ```
     /// # use phidl_core::param::Check;
-    /// let error = Check::device("star").that("num_points", 2, false, "be at least 3 to enclose anything").unwrap_err();
+    /// # let check = Check::new("star");
+    /// let error = check.that("num_points", 2, false, "be at least 3 to enclose anything").unwrap_err();
     /// assert_eq!(error.to_string(), "star: num_points is 2, but it must be at least 3 to enclose anything");
     /// ```
     #[expect(clippy::missing_errors_doc, reason = "stated for all rules in `finite`")]
@@ -161,9 +175,11 @@ impl<'a> Check<'a> {
         Err(self.error(param, Quantity(value, self.unit_of(param)).to_string(), rule()))
     }
 
-    /// The unit of a parameter: as told, or as the generator that is being drawn states it.
+    /// The unit of a parameter or of a part of one, such as `size.width` or `gaps[2]`.
     fn unit_of(&self, param: &str) -> &'a str {
-        self.unit.unwrap_or_else(|| runtime::unit_while_drawing(self.device, param).unwrap_or_default())
+        let name = param.split(['.', '[']).next().unwrap_or(param);
+        let stated = || self.params.iter().find(|spec| spec.name() == name).map(ParamSpec::unit);
+        self.unit.or_else(stated).unwrap_or_default()
     }
 
     fn error(&self, param: &str, value: String, rule: String) -> Error {
@@ -177,7 +193,7 @@ mod tests {
 
     #[test]
     fn rules_hold_on_the_right_side_of_their_limit() {
-        let check = Check::device("ring");
+        let check = Check::new("ring");
         assert!(check.greater("width", 0.5, 0).is_ok() && check.greater("width", 0, 0).is_err());
         assert!(check.at_least("width", 0, 0).is_ok() && check.at_least("width", -0.1, 0).is_err());
         assert!(check.less("width", 0.5, 1).is_ok() && check.less("width", 1, 1).is_err());
@@ -187,7 +203,7 @@ mod tests {
 
     #[test]
     fn a_number_that_is_none_breaks_every_rule() {
-        let check = Check::device("ring");
+        let check = Check::new("ring");
         for broken in [
             check.finite("width", f64::NAN),
             check.at_least("width", f64::INFINITY, 0),

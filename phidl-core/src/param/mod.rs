@@ -11,6 +11,7 @@ mod into_option;
 mod param_type;
 mod parameter;
 mod serde;
+mod spec;
 mod unit;
 mod value;
 
@@ -20,6 +21,7 @@ pub use conversion_error::ConversionError;
 pub use into_option::IntoOption;
 pub use param_type::ParamType;
 pub use parameter::Param;
+pub use spec::ParamSpec;
 pub use value::Value;
 
 pub(crate) use bounds::ParamPath;

@@ -48,8 +48,3 @@ fn draw(entry: &'static GeneratorInfo, body: &Body<'_>) -> Result<Device> {
         _ => error,
     })
 }
-
-/// The unit of a parameter of the generator with this name, if this thread is just drawing it.
-pub(crate) fn unit_while_drawing(device: &str, param: &str) -> Option<&'static str> {
-    stack::search(|entry| (entry.name == device).then_some(entry))?.unit(param)
-}

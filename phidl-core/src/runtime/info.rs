@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::{Generator, ParamReader, ParamValues};
 use crate::error::Result;
-use crate::param::{Bounds, Param, ParamPath, ParamType, Value};
+use crate::param::{Bounds, Check, ParamSpec, ParamType, Value};
 use crate::scene::{Device, Source};
 
 /// A generator that is linked into the program.
@@ -48,24 +48,6 @@ pub struct ParamInfo {
     pub bounds: Bounds,
     /// What it is if it is not given; `None` if it must be given.
     pub default: Option<Value>,
-}
-
-/// A parameter as the macro writes it down. (Hidden: what generated code fills in.)
-#[derive(Debug)]
-pub struct ParamSpec {
-    pub(super) name: &'static str,
-    docs: &'static str,
-    kind: fn() -> ParamType,
-    unit: &'static str,
-    bounds: Bounds,
-}
-
-impl ParamSpec {
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn new<T: Param>(name: &'static str, docs: &'static str, unit: &'static str, bounds: Bounds) -> Self {
-        Self { name, docs: docs.trim_ascii(), kind: T::param_type, unit, bounds }
-    }
 }
 
 impl GeneratorInfo {
@@ -113,11 +95,11 @@ impl GeneratorInfo {
     #[must_use]
     pub fn params(&self) -> Vec<ParamInfo> {
         let info = |(row, default): (&ParamSpec, _)| ParamInfo {
-            name: row.name,
-            docs: row.docs,
-            kind: (row.kind)(),
-            unit: (!row.unit.is_empty()).then_some(row.unit),
-            bounds: row.bounds,
+            name: row.name(),
+            docs: row.docs(),
+            kind: row.param_type(),
+            unit: (!row.unit().is_empty()).then_some(row.unit()),
+            bounds: row.bounds(),
             default,
         };
         self.rows.iter().zip((self.defaults)()).map(info).collect()
@@ -163,16 +145,17 @@ impl GeneratorInfo {
 
     /// The registered names of the parameters.
     pub(super) fn names(&self) -> impl Iterator<Item = &'static str> {
-        self.rows.iter().map(|row| row.name)
+        self.rows.iter().map(ParamSpec::name)
     }
 
     pub(super) fn row(&self, index: usize) -> &'static ParamSpec {
         &self.rows[index]
     }
 
-    /// The unit of a parameter, if it has one.
-    pub(super) fn unit(&self, param: &str) -> Option<&'static str> {
-        self.rows.iter().find(|row| row.name == param).map(|row| row.unit)
+    /// The rules of the generator, for functions beside its body. The body itself finds them under the name `check`.
+    #[must_use]
+    pub fn check(&self) -> Check<'static> {
+        Check::of(self.name, self.rows)
     }
 
     /// What a cell records that was drawn with these parameters.
@@ -183,8 +166,7 @@ impl GeneratorInfo {
     /// Refuses a number that is out of its bounds or not finite.
     pub(super) fn check_bounds(&self, record: &ParamValues) -> Result<()> {
         for (row, (_, value)) in self.rows.iter().zip(record.iter()) {
-            let at = ParamPath { device: self.name, place: row.name, unit: row.unit };
-            row.bounds.check(at, row.kind, value)?;
+            row.check(self.name, value)?;
         }
         Ok(())
     }

@@ -17,9 +17,7 @@ mod stack;
 mod worker;
 
 pub use generator::Generator;
-pub use info::{GeneratorInfo, ParamInfo, ParamSpec, Redraw};
+pub use info::{GeneratorInfo, ParamInfo, Redraw};
 pub use param_values::ParamValues;
 pub use partial::Partial;
 pub use reader::ParamReader;
-
-pub(crate) use draw::unit_while_drawing;

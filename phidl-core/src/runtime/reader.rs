@@ -35,13 +35,13 @@ impl<'a> ParamReader<'a> {
     pub fn required<T: Param>(&self, index: usize) -> Result<T> {
         self.given(index)?.ok_or_else(|| {
             let rule = format!("be given: it has no default and takes {}", T::param_type());
-            let (device, param) = (self.entry.name.to_owned(), self.entry.row(index).name.to_owned());
+            let (device, param) = (self.entry.name.to_owned(), self.entry.row(index).name().to_owned());
             ParamError { device, param, value: "missing".to_owned(), rule }.into()
         })
     }
 
     fn given<T: Param>(&self, index: usize) -> Result<Option<T>> {
-        let name = self.entry.row(index).name;
+        let name = self.entry.row(index).name();
         let value = self.given.get(name).map(T::from_value).transpose();
         value.map_err(|mismatch| mismatch.into_error(self.entry.name, name))
     }

@@ -53,8 +53,3 @@ pub(super) fn circle(key: &ParamValues) -> Option<Vec<String>> {
 pub(super) fn names_from(stack: &[Frame], key: &ParamValues) -> Vec<String> {
     stack.iter().skip_while(|frame| frame.key != *key).map(|frame| frame.entry.name.to_owned()).collect()
 }
-
-/// What this thread is drawing, innermost first, until `find` has found something.
-pub(super) fn search<T>(find: impl FnMut(&'static GeneratorInfo) -> Option<T>) -> Option<T> {
-    OWN.with_borrow(|stack| stack.iter().rev().map(|frame| frame.entry).find_map(find))
-}

@@ -1,7 +1,7 @@
 //! [`grid`]: cells in rows and columns.
 
 use phidl_core::num::count;
-use phidl_core::param::{Check, ConversionError, IntoOption, Param, ParamType};
+use phidl_core::param::{ConversionError, IntoOption, Param, ParamType};
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
@@ -118,7 +118,7 @@ pub fn grid(
     #[default(EdgeY::YMax)]
     edge_y: EdgeY,
 ) -> Result<Device> {
-    let (columns, rows) = places(&device_list, shape)?;
+    let (columns, rows) = places(check, &device_list, shape)?;
     let mut lattice = Lattice::new(device_list, columns, rows)?;
     lattice.align(align_y.into(), align_x.into());
     match separation {
@@ -135,10 +135,9 @@ pub fn grid(
 }
 
 /// Columns and rows of a grid of a list, after everything that can be wrong with them.
-fn places(list: &DeviceList, shape: Option<GridShape>) -> Result<(usize, usize)> {
-    let (columns, rows) = extent(list)?;
+fn places(check: Check<'_>, list: &DeviceList, shape: Option<GridShape>) -> Result<(usize, usize)> {
+    let (columns, rows) = extent(check, list)?;
     let cells = columns * rows;
-    let check = Check::device("grid");
     check.that("device_list", "empty", cells > 0, "hold at least one cell")?;
     let Some(shape) = shape else { return Ok((columns, rows)) };
     let shown = format!("({}, {})", shape.columns, shape.rows);
@@ -158,14 +157,14 @@ fn places(list: &DeviceList, shape: Option<GridShape>) -> Result<(usize, usize)>
 }
 
 /// Columns and rows of a list as it is.
-fn extent(list: &DeviceList) -> Result<(usize, usize)> {
+fn extent(check: Check<'_>, list: &DeviceList) -> Result<(usize, usize)> {
     match list {
         DeviceList::Flat(slots) => Ok((slots.len(), 1)),
         DeviceList::Rows(rows) => {
             let columns = rows.first().map_or(0, Vec::len);
             if let Some((place, row)) = rows.iter().enumerate().find(|(_, row)| row.len() != columns) {
                 let rule = format!("be {columns} cells long, as row 0 is");
-                Check::device("grid").that(&format!("device_list[{place}]"), row.len(), false, &rule)?;
+                check.that(&format!("device_list[{place}]"), row.len(), false, &rule)?;
             }
             Ok((columns, rows.len()))
         }

@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 
 use phidl_core::num::count;
-use phidl_core::param::Check;
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
@@ -95,9 +94,8 @@ pub fn gridsweep(
     #[default(255)]
     label_layer: Option<Layer>,
 ) -> Result<Device> {
-    let (columns, rows) = (param_x.combinations("param_x")?, param_y.combinations("param_y")?);
+    let (columns, rows) = (param_x.combinations(check, "param_x")?, param_y.combinations(check, "param_y")?);
     let both = param_x.names().find(|name| param_y.names().any(|other| other == *name));
-    let check = Check::device("gridsweep");
     check.that("param_x", format!("{both:?}"), both.is_none(), "sweep other parameters than param_y")?;
     check.at_most("number of cells", columns.len().saturating_mul(rows.len()), count::MOST)?;
 

@@ -8,7 +8,6 @@
 //! larger than the reference's for the same boxes. (Boxes are rounded up to the packing grid here. Rounding them down, as
 //! the reference does, saves less than a thousandth of the area and brings neighbors closer than they may be.)
 
-use phidl_core::param::Check;
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
@@ -133,7 +132,7 @@ impl PackerParams {
     }
 
     fn check(&self) -> Result<()> {
-        let check = Check::device("packer");
+        let check = Self::entry().check();
         check.at_least("spacing", self.spacing, 0)?;
         check.greater("aspect_ratio.width", self.aspect_ratio.width, 0)?;
         check.greater("aspect_ratio.height", self.aspect_ratio.height, 0)?;
@@ -154,7 +153,7 @@ impl PackerParams {
     /// The boxes, with everything checked that can keep one from being packed.
     fn items(&self) -> Result<Vec<Item>> {
         let most = self.most();
-        let check = Check::device("packer");
+        let check = Self::entry().check();
         // Rounding up must not push a box out of a bin into which it fits.
         let steps = |length: f64, most: f64| {
             let exact = (length + self.spacing) / self.precision;

@@ -4,7 +4,7 @@
 //! written as an object; [`Value`] keeps those sorted by name, and whoever needs another order writes a list of pairs.
 
 use phidl_core::num::count;
-use phidl_core::param::{Check, ConversionError, Param, ParamType};
+use phidl_core::param::{ConversionError, Param, ParamType};
 use phidl_core::prelude::*;
 
 /// One set of swept values with their names, in the order of the sweep.
@@ -60,8 +60,7 @@ impl Sweep {
     /// # Errors
     /// A parameter without values or named twice, no copies, or more combinations than anyone can draw; in the name of
     /// the parameter that the sweep was given for.
-    pub(super) fn combinations(&self, param: &str) -> Result<Vec<Combination>> {
-        let check = Check::device("gridsweep");
+    pub(super) fn combinations(&self, check: Check<'_>, param: &str) -> Result<Vec<Combination>> {
         let parameters = match self {
             Self::Once => return Ok(vec![Vec::new()]),
             Self::Copies(copies) => {
@@ -162,7 +161,7 @@ mod tests {
     fn the_last_parameter_changes_fastest() {
         let sweep = Sweep::over("a", [1, 2]).and("b", ["x", "y", "z"]);
         let shown: Vec<String> = sweep
-            .combinations("param_x")
+            .combinations(Check::new("gridsweep"), "param_x")
             .unwrap()
             .iter()
             .map(|c| c.iter().map(|(name, value)| format!("{name}{value}")).collect::<String>())
@@ -185,10 +184,10 @@ mod tests {
 
     #[test]
     fn nothing_to_sweep_over_is_refused() {
-        assert!(Sweep::Copies(0).combinations("param_x").is_err());
-        assert!(Sweep::over("a", Vec::<i32>::new()).combinations("param_x").is_err());
-        assert!(Sweep::over("a", [1]).and("a", [2]).combinations("param_x").is_err());
+        assert!(Sweep::Copies(0).combinations(Check::new("gridsweep"), "param_x").is_err());
+        assert!(Sweep::over("a", Vec::<i32>::new()).combinations(Check::new("gridsweep"), "param_x").is_err());
+        assert!(Sweep::over("a", [1]).and("a", [2]).combinations(Check::new("gridsweep"), "param_x").is_err());
         let many = (0..10).fold(Sweep::Once, |sweep, n| sweep.and(format!("p{n}"), 0..100));
-        assert!(many.combinations("param_x").is_err());
+        assert!(many.combinations(Check::new("gridsweep"), "param_x").is_err());
     }
 }

@@ -3,7 +3,6 @@
 //! Both step evenly in the polar angle and repeat the first point at the end, as the specification counts points.
 
 use phidl_core::num::count;
-use phidl_core::param::Check;
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
@@ -57,7 +56,7 @@ pub fn circle(
         Some(tolerance) => count::for_tolerance(radius.abs(), 360.0, tolerance).max(3),
         None => count::per_turn(angle_resolution),
     };
-    closed_curve("circle", chords, layer, |direction| direction * radius)
+    closed_curve(check, "circle", chords, layer, |direction| direction * radius)
 }
 
 /// Draws an ellipse around the origin, its axes along x and y.
@@ -98,18 +97,23 @@ pub fn ellipse(
     layer: Layers,
 ) -> Result<Device> {
     let Size { width: a, height: b } = radii;
-    let check = Check::device("ellipse");
     check.that("radii", format_args!("{radii} µm"), a != 0.0 && b != 0.0, "not be 0")?;
     let (flatness, a) = (a / b, a * b.signum());
-    closed_curve("ellipse", count::per_turn(angle_resolution), layer, |direction| {
+    closed_curve(check, "ellipse", count::per_turn(angle_resolution), layer, |direction| {
         let (x, y) = (direction.x, flatness * direction.y);
         direction * (a / (x * x + y * y).sqrt())
     })
 }
 
 /// One outline from 0° to 360°, both ends included.
-fn closed_curve(name: &str, chords: usize, layer: Layers, at: impl Fn(Point) -> Point) -> Result<Device> {
-    Check::device(name).at_most("number of points", chords as f64, count::MOST as f64 - 1.0)?;
+fn closed_curve(
+    check: Check<'_>,
+    name: &str,
+    chords: usize,
+    layer: Layers,
+    at: impl Fn(Point) -> Point,
+) -> Result<Device> {
+    check.at_most("number of points", chords as f64, count::MOST as f64 - 1.0)?;
     let mut points = around(chords);
     points.iter_mut().for_each(|direction| *direction = at(*direction));
     let mut d = Device::builder(name);

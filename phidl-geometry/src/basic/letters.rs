@@ -2,7 +2,6 @@
 //!
 //! Both repeat their first corner at the end, as the specification counts points.
 
-use phidl_core::param::Check;
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
@@ -52,7 +51,6 @@ pub fn l(
     layer: Layers,
 ) -> Result<Device> {
     let (h, Size { width: right, height: top }) = (width / 2.0, size);
-    let check = Check::device("L");
     check.greater("size.width", right, ("minus half the width", -h))?;
     check.greater("size.height", top, ("minus half the width", -h))?;
     // An arm may end inside the other one; where both do, nothing is left of the inner corner.
@@ -113,7 +111,6 @@ pub fn c(
     let (h, Size { width: right, height: top }) = (width / 2.0, size);
     let lower = [(-h, -h), (right, -h), (right, h), (h, h)];
     let upper = [(h, top - h), (right, top - h), (right, top + h), (-h, top + h), (-h, -h)];
-    let check = Check::device("C");
     check.greater("size.width", right, ("minus half the width", -h))?;
     check.at_least("size.height", top, ("width", width))?;
     let mut d = Device::builder("C");

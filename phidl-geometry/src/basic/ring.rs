@@ -2,7 +2,6 @@
 
 use phidl_core::num::angle::directions;
 use phidl_core::num::count::{self, linspace};
-use phidl_core::param::Check;
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
@@ -59,7 +58,6 @@ pub fn ring(
     #[default(0)]
     layer: Layers,
 ) -> Result<Device> {
-    let check = Check::device("ring");
     check.at_most("width", width, ("2 radius", 2.0 * radius))?;
     let chords = count::per_turn_nearest(angle_resolution);
     check.at_most("number of points", 2.0 * chords as f64, count::MOST as f64 - 2.0)?;
@@ -143,8 +141,8 @@ pub(super) fn open_arc(
     angle_resolution: f64,
     layer: Layers,
 ) -> Result<DeviceBuilder> {
-    let check = Check::device("arc");
-    check.unit("um").at_most("width", width, ("2 radius", 2.0 * radius))?;
+    let check = ArcParams::entry().check();
+    check.at_most("width", width, ("2 radius", 2.0 * radius))?;
     check.that("theta", format_args!("{theta}°"), theta != 0.0, "not be 0")?;
     let points = count::up(theta.abs() / angle_resolution).max(2);
     check.at_most("number of points", 2.0 * points as f64, count::MOST as f64 - 2.0)?;

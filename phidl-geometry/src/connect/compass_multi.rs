@@ -49,7 +49,7 @@ pub fn compass_multi(
 ) -> Result<Device> {
     for side in ports.keys() {
         let known = SIDES.iter().any(|(name, _)| name == side);
-        Check::device("compass_multi").that("ports", format_args!("{side:?}"), known, "be among N, S, E, W")?;
+        check.that("ports", format_args!("{side:?}"), known, "be among N, S, E, W")?;
     }
     let mut d = Device::builder("compass_multi");
     d.add(rectangle(size, layer)?.place().moved_by((-size.width / 2.0, -size.height / 2.0)));

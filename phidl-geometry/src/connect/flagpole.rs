@@ -1,6 +1,5 @@
 //! [`flagpole`].
 
-use phidl_core::param::Check;
 use phidl_core::prelude::*;
 use phidl_macros::{Choice, device};
 
@@ -97,7 +96,7 @@ pub fn flagpole(
     layer: Layers,
 ) -> Result<Device> {
     if taper_type.is_some() {
-        Check::device("flagpole").at_most("stub_size.width", stub_size.width, ("size.width", size.width))?;
+        check.at_most("stub_size.width", stub_size.width, ("size.width", size.width))?;
     }
     let (sx, sy) = shape.signs();
     let (f, g) = (sx * size.width, sy * size.height);

@@ -41,7 +41,6 @@ pub fn polygon_ports(
     #[default(0)]
     layer: Layers,
 ) -> Result<Device> {
-    let check = Check::device("polygon_ports");
     let lengths = format!("{} against {} numbers", ypts.len(), xpts.len());
     check.that("ypts", lengths, xpts.len() == ypts.len(), "be as long as xpts")?;
     let mut outline: Vec<Point> = xpts.into_iter().zip(ypts).map(Point::from).collect();

@@ -58,7 +58,7 @@ pub fn tee(
     layer: Layers,
 ) -> Result<Device> {
     if taper_type.is_some() {
-        Check::device("tee").at_most("stub_size.width", stub_size.width, ("size.width", size.width))?;
+        check.at_most("stub_size.width", stub_size.width, ("size.width", size.width))?;
     }
     let (x, top) = (size.width / 2.0, size.height);
     let (sx, bottom) = (stub_size.width / 2.0, -stub_size.height);

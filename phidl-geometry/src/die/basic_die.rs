@@ -1,6 +1,6 @@
 //! [`basic_die`].
 
-use phidl_core::param::{Check, ConversionError, Param, ParamType};
+use phidl_core::param::{ConversionError, Param, ParamType};
 use phidl_core::prelude::*;
 use phidl_macros::{Choice, device};
 
@@ -136,7 +136,7 @@ pub fn basic_die(
     #[default(99)]
     bbox_layer: Layers,
 ) -> Result<Device> {
-    Check::device("basic_die").at_least("street_length", street_length, ("street_width", street_width))?;
+    check.at_least("street_length", street_length, ("street_width", street_width))?;
     let half = Point::new(size.width, size.height) / 2.0;
     let mut d = Device::builder("die");
     for (x, y) in [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)] {

@@ -1,7 +1,7 @@
 //! [`fill_rectangle`]: rectangles on a regular raster wherever nothing is near.
 
 use phidl_core::num::count;
-use phidl_core::param::{Check, ConversionError, IntoOption, Param, ParamType};
+use phidl_core::param::{ConversionError, IntoOption, Param, ParamType};
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
@@ -145,14 +145,14 @@ pub fn fill_rectangle(
     #[param(unit = "um")]
     bbox: Option<Corners>,
 ) -> Result<Device> {
-    let patterns = patterns(&fill_layers.0, &fill_densities.0, &fill_inverted.0)?;
+    let patterns = patterns(check, &fill_layers.0, &fill_densities.0, &fill_inverted.0)?;
     let within = match bbox {
         Some(Corners(a, c)) => Rect::new(a, c),
         None => {
             device.bbox().ok_or_else(|| Error::custom("fill_rectangle", "bbox is missing, and nothing is drawn"))?
         }
     };
-    let mut raster = raster(within, fill_size)?;
+    let mut raster = raster(check, within, fill_size)?;
     let avoided = |layer| match &avoid_layers {
         AvoidLayers::All => true,
         AvoidLayers::These(layers) => layers.contains(layer),
@@ -176,8 +176,7 @@ struct Pattern {
     inverted: bool,
 }
 
-fn patterns(layers: &[Layer], densities: &[f64], inverted: &[bool]) -> Result<Vec<Pattern>> {
-    let check = Check::device("fill_rectangle");
+fn patterns(check: Check<'_>, layers: &[Layer], densities: &[f64], inverted: &[bool]) -> Result<Vec<Pattern>> {
     let rule = format!("have one entry for each of the {} fill layers", layers.len());
     check.that("fill_densities", format!("{} long", densities.len()), densities.len() == layers.len(), &rule)?;
     let fits = inverted.is_empty() || inverted.len() == layers.len();
@@ -191,7 +190,7 @@ fn patterns(layers: &[Layer], densities: &[f64], inverted: &[bool]) -> Result<Ve
     layers.iter().zip(densities).enumerate().map(pattern).collect()
 }
 
-fn raster(within: Rect, fill_size: Size) -> Result<Raster> {
+fn raster(check: Check<'_>, within: Rect, fill_size: Size) -> Result<Raster> {
     /// A byte or two for each: a quarter of a gigabyte.
     const MOST: usize = 8 * count::MOST;
     let columns = Raster::cells_in(within.size().width, fill_size.width);
@@ -199,7 +198,7 @@ fn raster(within: Rect, fill_size: Size) -> Result<Raster> {
     let cells = columns.saturating_mul(rows);
     let limited = columns < count::MOST && rows < count::MOST && cells <= MOST;
     let rule = format!("give at most {MOST} cells in the box, {within}");
-    Check::device("fill_rectangle").that("fill_size", format!("{fill_size} µm"), limited, &rule)?;
+    check.that("fill_size", format!("{fill_size} µm"), limited, &rule)?;
     Ok(Raster::new(within, fill_size, columns, rows))
 }
 

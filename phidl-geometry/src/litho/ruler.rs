@@ -55,7 +55,6 @@ pub fn litho_ruler(
     #[default(0)]
     layer: Layers,
 ) -> Result<Device> {
-    let check = Check::device("litho_ruler");
     check.that("scale", "empty", !scale.is_empty(), "name at least one height")?;
     check.that("height", format_args!("{height} µm"), height != 0.0, "not be 0")?;
     for (i, scale) in scale.iter().enumerate() {

@@ -53,7 +53,7 @@ pub fn litho_steps(
     layer: Layers,
 ) -> Result<Device> {
     let last = line_widths.last();
-    Check::device("litho_steps").that("line_widths", "empty", last.is_some(), "name at least one width")?;
+    check.that("line_widths", "empty", last.is_some(), "name at least one width")?;
     let half = height / 2.0;
     let label = last.map_or_else(String::new, f64::to_string);
     let bar = rectangle((line_spacing, half), &layer)?;

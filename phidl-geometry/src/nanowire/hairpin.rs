@@ -5,7 +5,6 @@
 //! drawn with PHIDL have those.
 
 use num_complex::Complex64;
-use phidl_core::param::Check;
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
@@ -70,7 +69,6 @@ pub fn optimal_hairpin(
     #[default(0)]
     layer: Layers,
 ) -> Result<Device> {
-    let check = Check::device("optimal_hairpin");
     check.greater("pitch", pitch, ("width", width))?;
     let edge = inner_edge(width, pitch, num_pts);
     let steps = format_args!("{num_pts} with a pitch of {} widths", pitch / width);

@@ -2,7 +2,6 @@
 
 use phidl_core::error::ParamError;
 use phidl_core::num::count;
-use phidl_core::param::Check;
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
@@ -89,7 +88,7 @@ pub fn snspd(
     layer: Layers,
 ) -> Result<Device> {
     let size = closed(size, num_squares, wire_width * wire_pitch)?;
-    let rows = rows(size.height / wire_pitch, terminals_same_side)?;
+    let rows = rows(check, size.height / wire_pitch, terminals_same_side)?;
     let turn = OptimalHairpinParams {
         width: wire_width,
         pitch: wire_pitch,
@@ -140,11 +139,11 @@ fn closed(size: OpenSize, num_squares: Option<f64>, unit: f64) -> Result<Size> {
 }
 
 /// The number of rows: odd for terminals on both sides, even for one.
-fn rows(quotient: f64, terminals_same_side: bool) -> Result<usize> {
+fn rows(check: Check<'_>, quotient: f64, terminals_same_side: bool) -> Result<usize> {
     let fitting = count::up(quotient - ROW_NOISE);
     let rows = if fitting.is_multiple_of(2) == terminals_same_side { fitting } else { fitting + 1 };
     let fewest = if terminals_same_side { 4_usize } else { 3 };
-    Check::device("snspd").unit("").between("number of rows (height / wire_pitch)", rows, fewest, MOST_ROWS)?;
+    check.between("number of rows (height / wire_pitch)", rows, fewest, MOST_ROWS)?;
     Ok(rows)
 }
 
@@ -253,10 +252,10 @@ mod tests {
 
     #[test]
     fn rows_are_odd_between_two_sides_and_even_on_one() {
-        assert_eq!(rows(8.0 / 0.6, false).unwrap(), 15);
-        assert_eq!(rows(13.2, true).unwrap(), 14);
-        assert_eq!(rows(4.2 / 0.6, false).unwrap(), 7, "7.000000000000001 is noise");
-        assert_eq!(rows(2.0, false).unwrap(), 3);
+        assert_eq!(rows(Check::new("snspd"), 8.0 / 0.6, false).unwrap(), 15);
+        assert_eq!(rows(Check::new("snspd"), 13.2, true).unwrap(), 14);
+        assert_eq!(rows(Check::new("snspd"), 4.2 / 0.6, false).unwrap(), 7, "7.000000000000001 is noise");
+        assert_eq!(rows(Check::new("snspd"), 2.0, false).unwrap(), 3);
     }
 
     #[test]

@@ -7,7 +7,6 @@
 
 use num_complex::Complex64;
 use phidl_core::num::count::linspace;
-use phidl_core::param::Check;
 use phidl_core::prelude::*;
 use phidl_macros::device;
 use roots::{SimpleConvergency, find_root_brent};
@@ -95,11 +94,7 @@ pub fn optimal_step(
         square(narrow, symmetric)
     } else {
         let ends = (narrow * (1.0 + width_tol), wide * (1.0 - width_tol));
-        Check::device("optimal_step").less(
-            "narrow width and width_tol",
-            ends.0,
-            ("wide width less width_tol", ends.1),
-        )?;
+        check.less("narrow width and width_tol", ends.0, ("wide width less width_tol", ends.1))?;
         let edge = Flow::new(narrow, wide).edge(ends, num_pts)?;
         d.info("num_squares", squares(&edge));
         let turned = if start_width > end_width { -1.0 } else { 1.0 };

@@ -2,7 +2,7 @@
 
 use phidl_core::num::angle::directions;
 use phidl_core::num::count::{self, linspace};
-use phidl_core::param::{Check, ConversionError, Param, ParamType};
+use phidl_core::param::{ConversionError, Param, ParamType};
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
@@ -113,11 +113,10 @@ pub fn ytron_round(
     #[default(0)]
     layer: Layers,
 ) -> Result<Device> {
-    let tip = tip(rho, theta, theta_resolution)?;
+    let tip = tip(check, rho, theta, theta_resolution)?;
     let corner = Point::polar(rho, theta);
     // The common part is measured from the corners, and the tip stands on the origin.
     let depth = corner.y;
-    let check = Check::device("ytron_round");
     check.greater("source_length", source_length, ("the depth of the tip", depth))?;
     let along = |length: f64| Point::polar(length, 90.0 - theta);
     let (left_arm, right_arm) = (along(arm_lengths.left), along(arm_lengths.right));
@@ -157,11 +156,11 @@ pub fn ytron_round(
 }
 
 /// The lower part of a circle that stands on the origin, from arm to arm.
-fn tip(rho: f64, theta: f64, resolution: f64) -> Result<Vec<Point>> {
+fn tip(check: Check<'_>, rho: f64, theta: f64, resolution: f64) -> Result<Vec<Point>> {
     // In radians, as the specification counts: in degrees another quotient might be whole.
     let steps = (PI - 2.0 * theta.to_radians()) / resolution.to_radians();
     let points = count::up(steps.floor()) + 2;
-    Check::device("ytron_round").unit("").at_most("number of points", points, count::MOST - 16)?;
+    check.at_most("number of points", points, count::MOST - 16)?;
     let angles = linspace(-(180.0 - theta), -theta, points);
     Ok(directions(angles).into_iter().map(|direction| direction * rho + Point::new(0.0, rho)).collect())
 }

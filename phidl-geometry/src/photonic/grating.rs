@@ -1,6 +1,5 @@
 //! [`grating`].
 
-use phidl_core::param::Check;
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
@@ -86,7 +85,6 @@ pub fn grating(
     #[param(named)]
     layer_etch: Layers,
 ) -> Result<Device> {
-    let check = Check::device("grating");
     check.at_most("num_periods", num_periods, MOST_PERIODS)?;
     let mut d = Device::builder("grating");
     let last = (num_periods - 1) as f64 * period;

@@ -1,7 +1,6 @@
 //! [`racetrack_gradual`].
 
 use phidl_core::num::count::linspace;
-use phidl_core::param::Check;
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
@@ -60,7 +59,7 @@ pub fn racetrack_gradual(
     layer: Layers,
 ) -> Result<Device> {
     let curve = Curve::new(r, n);
-    Check::device("racetrack_gradual").at_most("width", width, ("twice the tightest radius", 2.0 * curve.tightest))?;
+    check.at_most("width", width, ("twice the tightest radius", 2.0 * curve.tightest))?;
     let (places, finest) = curve.places();
     let step = (finest / 2.0).max(SMALLEST_STEP);
     let edges: Vec<(Point, Point)> =

@@ -5,7 +5,6 @@
 //! accuracy. Widths come from [`Microstrip::width_for`], which solves for the impedance exactly.
 
 use phidl_core::num::count::linspace;
-use phidl_core::param::Check;
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
@@ -99,8 +98,8 @@ pub fn hecken_taper(
     layer: Layers,
 ) -> Result<Device> {
     let line = Microstrip::new(dielectric_thickness, eps_r, lk_per_sq)?;
-    let z1 = end_impedance(&line, ("Z1", z1), ("width1", width1))?;
-    let z2 = end_impedance(&line, ("Z2", z2), ("width2", width2))?;
+    let z1 = end_impedance(check, &line, ("Z1", z1), ("width1", width1))?;
+    let z2 = end_impedance(check, &line, ("Z2", z2), ("width2", width2))?;
 
     let profile = Profile::hecken(&line, b, (z1, z2), length, num_pts)?;
     let Profile { x, w, z, v } = &profile;
@@ -120,13 +119,14 @@ pub fn hecken_taper(
 }
 
 fn end_impedance(
+    check: Check<'_>,
     line: &Microstrip,
     (z, impedance): (&str, Option<f64>),
     (w, width): (&str, Option<f64>),
 ) -> Result<f64> {
     let given = width.map(|width| line.impedance(width)).or(impedance);
     let rule = format!("be given, or {w} instead");
-    Check::device("hecken_taper").that(z, "missing", given.is_some(), &rule)?;
+    check.that(z, "missing", given.is_some(), &rule)?;
     let impedance = given.unwrap_or_default();
     // Asked here, so that what cannot be reached is refused as it was given.
     line.width_for(impedance).map(|_| impedance)

@@ -5,7 +5,6 @@
 //! draws that, for masks that must stay as they are.
 
 use phidl_core::num::count::linspace;
-use phidl_core::param::Check;
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
@@ -82,11 +81,18 @@ pub fn meander_taper(
     #[param(named)]
     straight_sections: bool,
 ) -> Result<Device> {
-    let profile = Profile::new(&x_taper, &w_taper)?;
+    let profile = Profile::new(check, &x_taper, &w_taper)?;
     let rows = (profile.end() - profile.start()) / meander_length;
-    Check::device("meander_taper").at_most("number of rows", rows, MOST_ROWS)?;
+    check.at_most("number of rows", rows, MOST_ROWS)?;
 
-    let fold = Fold { profile, meander_length, spacing_factor, min_spacing, straight: straight_sections };
+    let fold = Fold {
+        check: check.unit("um"),
+        profile,
+        meander_length,
+        spacing_factor,
+        min_spacing,
+        straight: straight_sections,
+    };
     let mut d = Device::builder("meander-taper");
     let mut end = Port::new((0, 0), 0, 0);
     for (i, piece) in fold.pieces()?.iter().enumerate() {
@@ -109,12 +115,10 @@ struct Profile<'a> {
 }
 
 impl<'a> Profile<'a> {
-    fn new(x: &'a [f64], w: &'a [f64]) -> Result<Self> {
-        let check = Check::device("meander_taper").unit("");
+    fn new(check: Check<'_>, x: &'a [f64], w: &'a [f64]) -> Result<Self> {
         check.that("w_taper", format_args!("{} widths", w.len()), w.len() == x.len(), "be as long as x_taper")?;
         check.at_least("number of points of x_taper", x.len(), 2)?;
         for (i, pair) in x.windows(2).enumerate() {
-            let check = Check::device("meander_taper").unit("um");
             check.greater(&format!("x_taper[{}]", i + 1), pair[1], ("the place before it", pair[0]))?;
         }
         Ok(Self { x, w })
@@ -145,6 +149,8 @@ impl<'a> Profile<'a> {
 
 /// How the profile is folded.
 struct Fold<'a> {
+    /// In micrometers.
+    check: Check<'a>,
     profile: Profile<'a>,
     meander_length: f64,
     spacing_factor: f64,
@@ -209,17 +215,15 @@ impl Fold<'_> {
 
     fn check_turn(&self, Span { start, end }: Span, radius: f64) -> Result<()> {
         let widest = self.profile.width(start).max(self.profile.width(end));
-        let check = Check::device("meander_taper").unit("um");
-        check.greater("radius of a turn", radius, 0)?;
-        check.at_least("radius of a turn", radius, ("half of the width in it", widest / 2.0))
+        self.check.greater("radius of a turn", radius, 0)?;
+        self.check.at_least("radius of a turn", radius, ("half of the width in it", widest / 2.0))
     }
 
     /// Two neighboring rows must not overlap anywhere.
     fn check_rows(&self, before: Span, after: Span, radius: f64) -> Result<()> {
-        let check = Check::device("meander_taper").unit("um");
         linspace(0.0, after.end - after.start, FIRST_ROW_POINTS).try_for_each(|x| {
             let widths = self.width(before, before.end - x) + self.width(after, after.start + x);
-            check.at_least("distance of rows", 2.0 * radius, ("half of both widths", widths / 2.0))
+            self.check.at_least("distance of rows", 2.0 * radius, ("half of both widths", widths / 2.0))
         })
     }
 

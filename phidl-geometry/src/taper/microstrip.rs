@@ -4,7 +4,6 @@
 //! inductance per square is added. They are explicit in the width; the width of a given impedance is found by a
 //! bracketing root search, not by the minimum of a squared error, which has no sharp end (see [`Microstrip::width_for`]).
 
-use phidl_core::param::Check;
 use phidl_core::prelude::*;
 use roots::{SimpleConvergency, find_root_brent};
 
@@ -48,9 +47,9 @@ impl Microstrip {
     /// # Errors
     /// The thickness must be greater than 0, the permittivity at least 1 and the inductance at least 0.
     pub fn new(thickness: f64, eps_r: f64, lk_per_sq: f64) -> Result<Self> {
-        Check::device("microstrip").unit("um").greater("thickness of the dielectric", thickness, 0)?;
-        Check::device("microstrip").unit("").at_least("eps_r", eps_r, 1)?;
-        Check::device("microstrip").unit("H/sq").at_least("Lk_per_sq", lk_per_sq, 0)?;
+        Check::new("microstrip").unit("um").greater("thickness of the dielectric", thickness, 0)?;
+        Check::new("microstrip").at_least("eps_r", eps_r, 1)?;
+        Check::new("microstrip").unit("H/sq").at_least("Lk_per_sq", lk_per_sq, 0)?;
         Ok(Self { thickness, eps_r, lk_per_sq })
     }
 

@@ -73,7 +73,7 @@ pub fn test_comb(
     #[default(4)]
     overlap_pad_layer: Layers,
 ) -> Result<Device> {
-    let plan = Plan { px: pad_size.width, py: pad_size.height, width: wire_width, gap: wire_gap };
+    let plan = Plan { check, px: pad_size.width, py: pad_size.height, width: wire_width, gap: wire_gap };
     let (meander, tail) = plan.first_meander()?;
     let second = plan.second_meander(tail)?;
 
@@ -91,14 +91,15 @@ pub fn test_comb(
 
 /// The measures of a structure (µm), and what follows from them.
 #[derive(Debug, Clone, Copy)]
-struct Plan {
+struct Plan<'a> {
+    check: Check<'a>,
     px: f64,
     py: f64,
     width: f64,
     gap: f64,
 }
 
-impl Plan {
+impl Plan<'_> {
     /// From one wire of a meander to the next, edge to edge: room for a finger of the comb.
     fn spacing(&self) -> f64 {
         self.width + 2.0 * self.gap
@@ -149,7 +150,7 @@ impl Plan {
         let (w, spacing, (low, high)) = (self.width, self.spacing(), self.rows());
         let end = 1.45 * self.px + 0.4 * self.py;
         let passes = (end - 1.25 * self.px) / (w + spacing);
-        Check::device("test_comb").at_most("passes of the meander", passes, MOST_PASSES)?;
+        self.check.at_most("passes of the meander", passes, MOST_PASSES)?;
 
         let mut x = 1.25 * self.px + self.head();
         let mut blocks = vec![block(1.25 * self.px, high - w, x, high), block(x, high - w, x + w, high)];
@@ -179,7 +180,7 @@ impl Plan {
         let indent = (self.spacing() + w) / 2.0;
         let length = 0.8 * py - high + py / 2.0 - indent;
         let gap = format_args!("{} µm", self.gap);
-        Check::device("test_comb").that("wire_gap", gap, length >= 0.0, "leave room for the fingers of the comb")?;
+        self.check.that("wire_gap", gap, length >= 0.0, "leave room for the fingers of the comb")?;
         let center = Point::new(right - indent - w / 2.0, 0.8 * py - length / 2.0);
         Ok(turned_bar(center, length, w, 90.0))
     }
@@ -188,8 +189,8 @@ impl Plan {
     fn second_meander(&self, tail: f64) -> Result<Vec<Block>> {
         let (w, spacing, (_, high)) = (self.width, self.spacing(), self.rows());
         let tenth = 0.1 * self.py;
-        Check::device("test_comb").at_most("wire_width", w, ("a tenth of pad_size.height", tenth))?;
-        Check::device("test_comb").at_most("passes of the meander", (high - tenth) / (w + spacing), MOST_PASSES)?;
+        self.check.at_most("wire_width", w, ("a tenth of pad_size.height", tenth))?;
+        self.check.at_most("passes of the meander", (high - tenth) / (w + spacing), MOST_PASSES)?;
         let right = tail - (spacing + w) / 2.0 - w;
         // Positive: the first meander makes at least one pass, which moves `right` out by more than is taken off here.
         let length = right - (2.5 * self.px + self.head() + w) / 2.0;
@@ -219,7 +220,7 @@ impl Plan {
 mod tests {
     use super::*;
 
-    const PLAN: Plan = Plan { px: 200.0, py: 200.0, width: 1.0, gap: 3.0 };
+    const PLAN: Plan<'_> = Plan { check: Check::new("test_comb"), px: 200.0, py: 200.0, width: 1.0, gap: 3.0 };
 
     fn boxes(blocks: &[Block]) -> Vec<Rect> {
         blocks.iter().map(|b| Rect::around(*b).unwrap()).collect()

@@ -77,7 +77,7 @@ pub fn test_ic(
     #[default(1)]
     gnd_layer: Layers,
 ) -> Result<Device> {
-    check_widths(&wire_widths, &wire_widths_wide)?;
+    check_widths(check, &wire_widths, &wire_widths_wide)?;
     let Size { width: px, height: py } = pad_size;
     let cover = Size::new(COVERED * px, COVERED * py);
     let top = py + pad_gap;
@@ -100,14 +100,13 @@ pub fn test_ic(
     d.build()
 }
 
-fn check_widths(narrow: &[f64], wide: &[f64]) -> Result<()> {
-    let check = Check::device("test_ic");
+fn check_widths(check: Check<'_>, narrow: &[f64], wide: &[f64]) -> Result<()> {
     check.that("wire_widths", "empty", !narrow.is_empty(), "name at least one width")?;
     let lengths = format!("{} against {} numbers", wide.len(), narrow.len());
     check.that("wire_widths_wide", lengths, narrow.len() == wide.len(), "be as long as wire_widths")?;
     for (i, (narrow, wide)) in narrow.iter().zip(wide).enumerate() {
         let name = format!("wire_widths[{i}]");
-        check.unit("um").at_least(&format!("wire_widths_wide[{i}]"), *wide, (name.as_str(), *narrow))?;
+        check.at_least(&format!("wire_widths_wide[{i}]"), *wide, (name.as_str(), *narrow))?;
     }
     Ok(())
 }

@@ -70,7 +70,6 @@ pub fn test_res(
     #[default(2)]
     gnd_layer: Layers,
 ) -> Result<Device> {
-    let check = Check::device("test_res");
     check.at_most("width", width, ("pad_size.height", pad_size.height))?;
     check.at_most("rows of the wire", pad_size.height / (2.0 * width), MOST_ROWS)?;
     let meander = Meander::new(pad_size.height, num_squares, width);

@@ -16,13 +16,13 @@ pub(super) struct Pen {
 }
 
 /// All outlines of a text, line by line, each in the order of its letters.
-pub(super) fn set(text: &str, face: &Face, pen: &Pen, justify: Justify) -> Result<Vec<Vec<Point>>> {
+pub(super) fn set(check: Check<'_>, text: &str, face: &Face, pen: &Pen, justify: Justify) -> Result<Vec<Vec<Point>>> {
     let mut drawn = Vec::new();
     let pitch = face.line_pitch() * pen.size;
     for (number, line) in text.split('\n').enumerate() {
         let line = line.strip_suffix('\r').unwrap_or(line);
         let mut outlines = match face {
-            Face::Deplof => deplof_line(line, pen.size)?,
+            Face::Deplof => deplof_line(check, line, pen.size)?,
             Face::Outline(font) => font.line(line, pen)?,
         };
         let by = Point::new(justification(&outlines, justify), -(number as f64) * pitch);
@@ -45,7 +45,7 @@ fn justification(outlines: &[Vec<Point>], justify: Justify) -> f64 {
 }
 
 /// The letters of one line, with the pen starting at the origin.
-fn deplof_line(line: &str, size: f64) -> Result<Vec<Vec<Point>>> {
+fn deplof_line(check: Check<'_>, line: &str, size: f64) -> Result<Vec<Vec<Point>>> {
     let mut pen = 0.0;
     let mut outlines = Vec::new();
     for character in line.chars() {
@@ -53,7 +53,7 @@ fn deplof_line(line: &str, size: f64) -> Result<Vec<Vec<Point>>> {
             pen += deplof::SPACE;
             continue;
         }
-        let glyph = deplof::glyph(character).ok_or_else(|| unknown(character))?;
+        let glyph = deplof::glyph(character).ok_or_else(|| unknown(check, character))?;
         // Multiplied before divided: a thousandth of the size has no exact float, the products of whole numbers do.
         let place = |p: &Point| Point::new(p.x + pen, p.y) * size / deplof::CAP_HEIGHT;
         outlines.extend(glyph.outlines.iter().map(|outline| outline.iter().map(place).collect()));
@@ -62,9 +62,9 @@ fn deplof_line(line: &str, size: f64) -> Result<Vec<Vec<Point>>> {
     Ok(outlines)
 }
 
-fn unknown(character: char) -> Error {
+fn unknown(check: Check<'_>, character: char) -> Error {
     let code = u32::from(character);
-    Check::device("text")
+    check
         .that(
             "text",
             format_args!("with {character:?} (U+{code:04X})"),

@@ -115,14 +115,13 @@ pub fn text(
     #[param(named, unit = "um", above = 0.0)]
     stencil: Option<f64>,
 ) -> Result<Device> {
-    let check = Check::device("text");
     check.that("size", format_args!("{size} µm"), size != 0.0, "not be 0")?;
     check.at_least("tolerance", tolerance, ("a part of size", FINEST * size.abs()))?;
-    let face = Face::find(&font)?;
+    let face = Face::find(check, &font)?;
     let pen = layout::Pen { size, tolerance, stencil };
 
     let mut d = Device::builder("text");
-    for outline in layout::set(&text, &face, &pen, justify)? {
+    for outline in layout::set(check, &text, &face, &pen, justify)? {
         d.add_polygon(outline, &layer)?;
     }
     d.build()

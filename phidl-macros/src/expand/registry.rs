@@ -1,12 +1,12 @@
 //! The `Generator` implementation with the body in it, and the entry in the registry.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
 
 use super::docs;
 use super::params::default_name;
-use crate::model::{Generator, Parameter};
+use crate::model::{CHECK, Generator, Parameter};
 
 pub(super) fn expand(generator: &Generator) -> TokenStream {
     let (cfgs, struct_name) = (&generator.attributes.cfgs, &generator.struct_name);
@@ -129,11 +129,12 @@ fn options(generator: &Generator) -> TokenStream {
     quote!(#example #uncached)
 }
 
-/// The body, as a function of its own: `return` and `?` mean what they mean in the source, and it sees no name that
-/// the user did not write.
+/// The body, as a function of its own: `return` and `?` mean what they mean in the source. The one name that it sees
+/// and that the user did not write is `check`, as if it stood between the braces of the body.
 fn draw(generator: &Generator) -> TokenStream {
     let Generator { attributes, params, output, body, .. } = generator;
     let lints = &attributes.lints;
+    let check = Ident::new(CHECK, body.span());
     let arguments = params.iter().map(|param| {
         let Parameter { lints, mutability, name, ty, .. } = param;
         quote!(#(#lints)* #mutability #name: #ty)
@@ -142,13 +143,16 @@ fn draw(generator: &Generator) -> TokenStream {
         let name = &param.name;
         quote!(self.#name)
     });
-    let call = quote_spanned!(output.span()=> __draw(#(#values),*));
+    let call = quote_spanned!(output.span()=> __draw(::phidl_core::__private::check::<Self>(), #(#values),*));
     quote! {
         fn draw(self) -> ::phidl_core::__private::Result<::phidl_core::__private::Device> {
             #(#lints)*
             #[allow(clippy::too_many_arguments, reason = "they have names in the struct")]
             #[allow(clippy::needless_pass_by_value, reason = "the body owns its parameters")]
-            fn __draw(#(#arguments),*) -> #output #body
+            fn __draw(
+                #[allow(unused_variables, reason = "not every body has rules")] #check: ::phidl_core::param::Check<'_>,
+                #(#arguments),*
+            ) -> #output #body
             #call
         }
     }

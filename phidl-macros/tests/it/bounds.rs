@@ -25,7 +25,6 @@ fn hairpin(
     turns: Option<f64>,
     #[default((0, 0))] origin: Point,
 ) -> Result<Device> {
-    let check = Check::device("hairpin");
     check.greater("pitch", pitch, ("width", width))?;
     let _ = (angle, size, lines, turns, origin);
     Device::builder("hairpin").build()

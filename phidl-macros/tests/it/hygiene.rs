@@ -89,6 +89,7 @@ macro_rules! generators {
     ($($name:ident: $ty:ty = $default:expr;)*) => {$(
         #[device]
         fn $name(#[default($default)] v: $ty) -> Result<Device> {
+            check.at_least("v", v, 1)?;
             Device::builder(format!("{}_{v}", stringify!($name))).build()
         }
     )*};
@@ -103,4 +104,28 @@ generators! {
 fn generators_may_come_out_of_a_macro() {
     assert_eq!(by_macro_one(3).unwrap().name(), "by_macro_one_3");
     assert_eq!(by_macro_two(3).unwrap().name(), "by_macro_two_3");
+    assert_eq!(by_macro_two(0).unwrap_err().to_string(), "by_macro_two: v is 0, but it must be at least 1");
+}
+
+/// The name in errors and the units are those of the registry, also in a function beside the body.
+#[device(name = "R")]
+fn with_rules(
+    #[param(unit = "ohm", name = "R1")] r1: f64,
+    #[default([])]
+    #[param(unit = "um")]
+    gaps: Vec<f64>,
+) -> Result<Device> {
+    fn no_narrow_gap(check: Check<'_>, gaps: &[f64]) -> Result<()> {
+        gaps.iter().enumerate().try_for_each(|(i, gap)| check.at_least(&format!("gaps[{i}]"), *gap, 1))
+    }
+    check.less("R1", r1, 50)?;
+    no_narrow_gap(check, &gaps)?;
+    Device::builder("with_rules").build()
+}
+
+#[test]
+fn the_body_finds_the_rules_of_its_generator() {
+    let message = |params: WithRulesParams| params.build().unwrap_err().to_string();
+    assert_eq!(message(WithRulesParams::new(50)), "R: R1 is 50 Ω, but it must be less than 50 Ω");
+    assert_eq!(message(WithRulesParams::new(1).gaps([2, 0])), "R: gaps[1] is 0 µm, but it must be at least 1 µm");
 }

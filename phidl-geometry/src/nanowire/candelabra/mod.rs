@@ -8,7 +8,6 @@ mod equalization;
 mod parts;
 mod rows;
 
-use phidl_core::param::Check;
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
@@ -75,9 +74,9 @@ pub fn snspd_candelabra(
     #[default(0)]
     layer: Layers,
 ) -> Result<Device> {
-    Check::device("snspd_candelabra").greater("wire_pitch", wire_pitch, ("wire_width", wire_width))?;
+    check.greater("wire_pitch", wire_pitch, ("wire_width", wire_width))?;
     let wire = Wire { width: wire_width, pitch: wire_pitch, layer, xwing };
-    let half = wire.half(haxis, vaxis, equalize_path_lengths.0)?;
+    let half = wire.half(check, haxis, vaxis, equalize_path_lengths.0)?;
 
     let mut d = Device::builder("snspd_candelabra");
     let upper = d.add(&half);

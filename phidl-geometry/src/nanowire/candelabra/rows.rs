@@ -1,6 +1,5 @@
 //! Half of the detector: the rows, each longer than the one above, and a turn between two of them.
 
-use phidl_core::param::Check;
 use phidl_core::prelude::*;
 
 use super::parts::Wire;
@@ -12,11 +11,10 @@ const SMALLEST_GAP: f64 = 1e-9;
 
 impl Wire {
     /// The upper half: from the terminal down to half of the longest row, which lies on y = 0.
-    pub(super) fn half(&self, haxis: f64, vaxis: f64, equalize: f64) -> Result<Device> {
+    pub(super) fn half(&self, check: Check<'_>, haxis: f64, vaxis: f64, equalize: f64) -> Result<Device> {
         let turn = self.turn(0.0)?;
         let longest = haxis - 2.0 * turn.size().width;
         let growth = (turn.port("1")?.midpoint().x - turn.port("2")?.midpoint().x).abs() + self.pitch;
-        let check = Check::device("snspd_candelabra");
         check.greater("haxis", haxis, ("two turns and a step of the rows", haxis - longest + growth))?;
         check.at_most("number of rows", longest / growth, MOST_ROWS)?;
         let first = self.first_bar_length(longest, growth, vaxis);

@@ -8,11 +8,11 @@ use harfrust::font::Font;
 use phidl_core::prelude::*;
 
 /// The font in this file, or the one that the system knows by this name.
-pub(super) fn font(name: &str) -> Result<Font> {
+pub(super) fn font(check: Check<'_>, name: &str) -> Result<Font> {
     if Path::new(name).is_file() {
-        return from_file(Path::new(name), 0, name);
+        return from_file(check, Path::new(name), 0, name);
     }
-    from_system(name, &SYSTEM)
+    from_system(check, name, &SYSTEM)
 }
 
 /// The fonts of the system, listed once.
@@ -22,17 +22,17 @@ static SYSTEM: LazyLock<Database> = LazyLock::new(|| {
     system
 });
 
-fn from_file(path: &Path, index: u32, name: &str) -> Result<Font> {
-    let bytes = std::fs::read(path).map_err(|error| refused(name, &format!("be readable: {error}")))?;
-    from_bytes(bytes, index, name)
+fn from_file(check: Check<'_>, path: &Path, index: u32, name: &str) -> Result<Font> {
+    let bytes = std::fs::read(path).map_err(|error| refused(check, name, &format!("be readable: {error}")))?;
+    from_bytes(check, bytes, index, name)
 }
 
-fn from_bytes(bytes: Vec<u8>, index: u32, name: &str) -> Result<Font> {
-    Font::new(bytes, index).ok_or_else(|| refused(name, "be a TrueType or OpenType font"))
+fn from_bytes(check: Check<'_>, bytes: Vec<u8>, index: u32, name: &str) -> Result<Font> {
+    Font::new(bytes, index).ok_or_else(|| refused(check, name, "be a TrueType or OpenType font"))
 }
 
 /// A font by its PostScript name or the name of its family; of a family, the regular one.
-fn from_system(name: &str, system: &Database) -> Result<Font> {
+fn from_system(check: Check<'_>, name: &str, system: &Database) -> Result<Font> {
     let by_name = system.faces().find(|face| face.post_script_name == name).map(|face| face.id);
     let id = by_name.or_else(|| system.query(&Query { families: &[Family::Name(name)], ..Query::default() }));
     let Some((source, index)) = id.and_then(|id| system.face_source(id)) else {
@@ -40,18 +40,16 @@ fn from_system(name: &str, system: &Database) -> Result<Font> {
             "be DEPLOF, the path of a font file (there is none at it) or one of the {} fonts of the system",
             system.len()
         );
-        return Err(refused(name, &rule));
+        return Err(refused(check, name, &rule));
     };
     match source {
-        Source::Binary(bytes) => from_bytes((*bytes).as_ref().to_vec(), index, name),
-        Source::File(path) => from_file(&path, index, name),
+        Source::Binary(bytes) => from_bytes(check, (*bytes).as_ref().to_vec(), index, name),
+        Source::File(path) => from_file(check, &path, index, name),
     }
 }
 
-fn refused(name: &str, rule: &str) -> Error {
-    Check::device("text")
-        .that("font", format_args!("{name:?}"), false, rule)
-        .expect_err("invariant: the condition is false")
+fn refused(check: Check<'_>, name: &str, rule: &str) -> Error {
+    check.that("font", format_args!("{name:?}"), false, rule).expect_err("invariant: the condition is false")
 }
 
 #[cfg(test)]
@@ -74,17 +72,19 @@ mod tests {
 
     #[test]
     fn a_family_gives_its_regular_face_and_a_postscript_name_just_that_one() {
-        assert_eq!(advance(&from_system("DejaVu Sans", &system()).unwrap()), 1540.0);
-        assert_eq!(advance(&from_system("DejaVuSans-Bold", &system()).unwrap()), 1714.0);
+        assert_eq!(advance(&from_system(Check::new("text"), "DejaVu Sans", &system()).unwrap()), 1540.0);
+        assert_eq!(advance(&from_system(Check::new("text"), "DejaVuSans-Bold", &system()).unwrap()), 1714.0);
     }
 
     #[test]
     fn what_is_not_known_is_refused_with_what_was_tried() {
-        let error = from_system("DejaVu", &system()).err().expect("no family of this name").to_string();
+        let error =
+            from_system(Check::new("text"), "DejaVu", &system()).err().expect("no family of this name").to_string();
         let expected = "text: font is \"DejaVu\", but it must be DEPLOF, the path of a font file (there is none at it) \
                         or one of the 2 fonts of the system";
         assert_eq!(error, expected);
-        let garbage = from_bytes(b"not a font".to_vec(), 0, "x.ttf").err().expect("no font").to_string();
+        let garbage =
+            from_bytes(Check::new("text"), b"not a font".to_vec(), 0, "x.ttf").err().expect("no font").to_string();
         assert!(garbage.ends_with("be a TrueType or OpenType font"));
     }
 }

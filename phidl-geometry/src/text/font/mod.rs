@@ -31,11 +31,13 @@ pub(super) enum Face {
 
 impl Face {
     /// The built-in font, that of a file, or one of the system.
-    pub(super) fn find(font: &str) -> Result<Self> {
+    pub(super) fn find(check: Check<'_>, font: &str) -> Result<Self> {
         if font.eq_ignore_ascii_case("DEPLOF") {
             return Ok(Self::Deplof);
         }
-        find::font(font).and_then(|found| OutlineFont::new(font, found)).map(|found| Self::Outline(Box::new(found)))
+        find::font(check, font)
+            .and_then(|found| OutlineFont::new(check, font, found))
+            .map(|found| Self::Outline(Box::new(found)))
     }
 
     /// From one baseline to the next, in sizes.
@@ -59,10 +61,9 @@ pub(super) struct OutlineFont {
 }
 
 impl OutlineFont {
-    fn new(name: &str, font: Font) -> Result<Self> {
+    fn new(check: Check<'_>, name: &str, font: Font) -> Result<Self> {
         let line = font.metrics().h_line().unwrap_or_default();
         let [ascender, descender, gap] = [line.ascender, line.descender, line.line_gap].map(|v| v.to_f64());
-        let check = Check::device("text");
         let given = format!("{name:?}");
         check.that("font", &given, !font.outline_glyphs().is_empty(), "have outlines, not only bitmaps")?;
         let has_lines = ascender > 0.0 && ascender - descender + gap > 0.0;

@@ -16,4 +16,9 @@ fn patterns((x, y): (f64, f64), _: f64) -> Result<Device> {
     Device::builder("x").build()
 }
 
+#[device]
+fn reserved(check: f64) -> Result<Device> {
+    Device::builder("x").build()
+}
+
 fn main() {}
