@@ -180,6 +180,13 @@ impl Bounded for Port {
     }
 }
 
+/// A port by value or by reference, for whatever connects to one.
+impl AsRef<Self> for Port {
+    fn as_ref(&self) -> &Self {
+        self
+    }
+}
+
 impl Transformable for Port {
     fn transform_mut(&mut self, by: &Transform) {
         self.midpoint = by.apply(self.midpoint);

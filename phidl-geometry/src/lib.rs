@@ -34,11 +34,6 @@
 #[doc = include_str!("../README.md")]
 struct Readme;
 
-/// The example of the whole project uses macros, core and shapes; this is the first crate that has all three.
-#[cfg(doctest)]
-#[doc = include_str!("../../README.md")]
-struct ProjectReadme;
-
 pub mod arguments;
 pub mod arrange;
 pub mod basic;

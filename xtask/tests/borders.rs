@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Which crates of ours each one may depend on.
-const ARROWS: [(&str, &[&str]); 7] = [
+const ARROWS: [(&str, &[&str]); 8] = [
     ("phidl-macros", &[]),
     ("phidl-core", &[]),
     ("phidl-path", &["phidl-core"]),
@@ -13,6 +13,10 @@ const ARROWS: [(&str, &[&str]); 7] = [
     ("phidl-geometry", &["phidl-core", "phidl-macros", "phidl-path", "phidl-boolean"]),
     ("phidl-route", &["phidl-core", "phidl-macros", "phidl-path"]),
     ("phidl-io", &["phidl-core", "phidl-boolean"]),
+    (
+        "phidl",
+        &["phidl-boolean", "phidl-core", "phidl-geometry", "phidl-io", "phidl-macros", "phidl-path", "phidl-route"],
+    ),
 ];
 
 fn root() -> PathBuf {

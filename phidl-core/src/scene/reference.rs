@@ -209,7 +209,7 @@ impl Reference {
     ///
     /// # Errors
     /// As for [`Reference::port`], and [`Error::NotFinite`] if `target` is nowhere.
-    pub fn connect(&mut self, own: &str, target: &Port) -> Result<&mut Self> {
+    pub fn connect(&mut self, own: &str, target: impl AsRef<Port>) -> Result<&mut Self> {
         self.connect_overlapping(own, target, 0.0)
     }
 
@@ -217,8 +217,13 @@ impl Reference {
     ///
     /// # Errors
     /// As for [`Reference::connect`], and [`Error::NotFinite`] if the overlap is not finite.
-    pub fn connect_overlapping(&mut self, own: &str, target: &Port, overlap: impl Into<f64>) -> Result<&mut Self> {
-        let overlap = overlap.into();
+    pub fn connect_overlapping(
+        &mut self,
+        own: &str,
+        target: impl AsRef<Port>,
+        overlap: impl Into<f64>,
+    ) -> Result<&mut Self> {
+        let (target, overlap) = (target.as_ref(), overlap.into());
         self.check(self.device.name())?;
         target.check(self.device.name())?;
         if !overlap.is_finite() {
