@@ -51,6 +51,18 @@ pub enum IoError {
         /// What it must do, as the end of "it must …".
         rule: Box<str>,
     },
+    /// A joint cannot be welded, and the options say that this is an error.
+    #[error("cell \"{cell}\": the joint of {} and {} at {position} is {status} and cannot be welded", .sides[0], .sides[1])]
+    Unwelded {
+        /// The cell that holds both sides.
+        cell: Box<str>,
+        /// The two sides.
+        sides: [Box<str>; 2],
+        /// Why it stays open.
+        status: crate::weld::WeldStatus,
+        /// Where it is (µm).
+        position: Box<str>,
+    },
     /// A coordinate is further out than the file's integers reach.
     #[error("cell \"{cell}\", {item}: {source}")]
     OutOfRange {

@@ -5,6 +5,7 @@
 //! | [`gds`] | GDSII files, written and read: cells, arrays, labels, properties, units, a fixed date |
 //! | [`svg`] | pictures with the hierarchy kept, so that a large chip is a small file |
 //! | [`json`] | a device described for comparing; generators, parameters and ports beside a mask file |
+//! | [`weld`] | joints that do not gap: found across the hierarchy, written with one grid point for each corner |
 //! | [`Summary`] | a mask in a few numbers: cells, polygons, areas, labels, box, SHA-256 |
 //! | [`atomic`] | the one way in which files are written: whole, or not at all |
 //!
@@ -19,6 +20,7 @@ pub mod json;
 pub mod mask;
 mod summary;
 pub mod svg;
+pub mod weld;
 
 pub use error::{IoError, Item, Result};
 pub use summary::{LayerSummary, Summary};

@@ -57,6 +57,28 @@ impl Device {
         DeviceBuilder::from_cell(Cell { source: None, ..self.cell().clone() })
     }
 
+    /// Opens an empty cell that keeps info and generator of this one: for programs that draw the same cell in other
+    /// coordinates, as a writer does.
+    #[must_use]
+    pub fn redrawn(&self, name: impl AsRef<str>) -> DeviceBuilder {
+        let Cell { info, source, .. } = self.cell();
+        let (info, source) = (info.clone(), source.clone());
+        DeviceBuilder::from_cell(Cell { name: name.as_ref().into(), info, source, ..Cell::default() })
+    }
+
+    /// The same cell under another name.
+    #[must_use]
+    pub fn renamed(mut self, name: impl AsRef<str>) -> Self {
+        match Arc::get_mut(&mut self.0) {
+            Some(finished) => {
+                finished.cell.name = name.as_ref().into();
+                finished.content = OnceLock::new(); // takes the name in
+                self
+            }
+            None => Self::from_cell(Cell { name: name.as_ref().into(), ..self.cell().clone() }),
+        }
+    }
+
     /// A placement of this cell at the origin.
     #[must_use]
     pub fn place(&self) -> Reference {
@@ -123,6 +145,13 @@ impl Device {
     /// [`Device::flat_polygons`].
     pub fn polygons(&self) -> impl ExactSizeIterator<Item = PolygonView<'_>> + DoubleEndedIterator + Clone {
         self.cell().outlines.iter()
+    }
+
+    /// The polygon with an index, in the order in which they were added.
+    #[must_use]
+    pub fn polygon(&self, index: usize) -> Option<PolygonView<'_>> {
+        let outlines = &self.cell().outlines;
+        (index < outlines.len()).then(|| outlines.get(index))
     }
 
     /// The references of this cell, in the order in which they were added.

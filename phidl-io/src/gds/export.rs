@@ -13,12 +13,13 @@ use super::options::GdsOptions;
 use super::outline::Outlines;
 use crate::atomic::AtomicFile;
 use crate::error::Result;
+use crate::weld::{self, WeldReport};
 
 /// Bytes are handed on in portions of about this size.
 const PORTION: usize = 1 << 20;
 
 /// What the writer did.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct GdsReport {
     /// The names of the cells in the file, the top cell last.
     pub cells: Vec<String>,
@@ -32,6 +33,8 @@ pub struct GdsReport {
     pub arrays_taken_apart: u64,
     /// Length of the file (bytes).
     pub bytes: u64,
+    /// What was done about joints.
+    pub weld: WeldReport,
 }
 
 /// Writes a device with all that it places as a GDSII file.
@@ -85,7 +88,8 @@ fn encode(
     options: &GdsOptions,
     mut put: impl FnMut(&[u8]) -> Result<()>,
 ) -> Result<GdsReport> {
-    let table = CellTable::of(device, options)?;
+    let (device, weld) = weld::weld(device, grid, &options.weld, options.max_cellname_length)?;
+    let table = CellTable::of(&device, options)?;
     let frame = Frame::new(&options.library_name, options.date, options.units(grid)).map_err(unfit)?;
     let limits = Limits(&options.limits);
     let mut outlines = Outlines::new(grid, options, &limits);
@@ -117,6 +121,7 @@ fn encode(
         collapsed_polygons: outlines.written.collapsed,
         arrays_taken_apart,
         bytes: total,
+        weld,
     })
 }
 

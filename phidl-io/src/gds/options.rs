@@ -6,6 +6,7 @@ use phidl_core::num::grid::Grid;
 
 use super::names;
 use crate::error::{IoError, Result};
+use crate::weld::WeldOptions;
 
 /// How a GDSII file is written. All lengths are micrometers.
 ///
@@ -33,6 +34,8 @@ pub struct GdsOptions {
     pub max_points: usize,
     /// How large texts and numbers may be.
     pub limits: GdsLimits,
+    /// How joints are welded.
+    pub weld: WeldOptions,
 }
 
 impl Default for GdsOptions {
@@ -46,6 +49,7 @@ impl Default for GdsOptions {
             library_name: "phidl".to_owned(),
             max_points: 4094,
             limits: GdsLimits::READERS,
+            weld: WeldOptions::default(),
         }
     }
 }

@@ -6,3 +6,5 @@ mod foreign;
 mod fuzzed;
 mod hierarchy;
 mod round_trip;
+mod weld;
+mod weld_chains;
