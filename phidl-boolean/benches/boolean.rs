@@ -11,9 +11,8 @@ use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use phidl_boolean::{
-    Division, Growth, Operation, Options, RunOptions,
+    Hierarchy, OffsetOptions, Operation, Options, RunOptions, StripCount,
     grid::{Contours, boolean, offset},
-    hierarchy,
 };
 use phidl_core::prelude::*;
 use support::{apart, confetti};
@@ -53,7 +52,7 @@ fn offsets(criterion: &mut Criterion) {
     for (name, distance) in [("+0.5 µm", 5_000.0), ("-0.3 µm", -3_000.0)] {
         for threads in THREADS {
             let id = BenchmarkId::new(name, format!("{threads} threads"));
-            let options = Growth::default();
+            let options = OffsetOptions::default();
             group
                 .bench_function(id, |bench| bench.iter(|| offset(black_box(&scene), distance, &options, &on(threads))));
         }
@@ -67,7 +66,7 @@ fn strips(criterion: &mut Criterion) {
     let (a, b) = (confetti(10_000, 1), confetti(10_000, 2));
     group.throughput(vertices(&a, &b));
     for strip_vertices in [1_000, 2_000, 4_000, 8_000, 16_000, usize::MAX] {
-        let options = RunOptions { division: Division::Vertices(strip_vertices), ..on(2) };
+        let options = RunOptions { strips: StripCount::VerticesPerStrip(strip_vertices), ..on(2) };
         let id = BenchmarkId::from_parameter(strip_vertices);
         group.bench_function(id, |bench| bench.iter(|| boolean(black_box(&a), &b, Operation::Or, &options)));
     }
@@ -129,7 +128,8 @@ fn hierarchies(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("hierarchy");
     group.sample_size(10);
     let options = Options { run: on(2), ..Options::default() };
-    let growth = Growth::default();
+    let keep = Options { hierarchy: Hierarchy::Keep, ..options };
+    let growth = OffsetOptions::default();
     for (name, side, one_by_one) in
         [("array", 100, false), ("array", 1000, false), ("one by one", 100, true), ("one by one", 1000, true)]
     {
@@ -137,10 +137,10 @@ fn hierarchies(criterion: &mut Criterion) {
         let cells = u64::from(side) * u64::from(side);
         group.throughput(Throughput::Elements(cells));
         let id = |work: &str| BenchmarkId::new(format!("{name}, {work}"), cells);
-        let kept = || hierarchy::boolean(black_box(&a), &b, "not", 3, &options);
+        let kept = || phidl_boolean::boolean(black_box(&a), &b, "not", 3, &keep);
         group.bench_function(id("not, kept"), |bench| bench.iter(kept));
         group.bench_function(id("offset, kept"), |bench| {
-            bench.iter(|| hierarchy::offset(black_box(&a), 0.25, &growth, 3, &options))
+            bench.iter(|| phidl_boolean::offset(black_box(&a), 0.25, &growth, 3, &keep))
         });
         if side == 100 {
             let flat = || phidl_boolean::boolean(black_box(&a), &b, "not", 3, &options);

@@ -1,4 +1,4 @@
-//! Closed contours in flat storage: one buffer of points and the place where each contour ends.
+//! Closed contours in flat storage: one buffer of points and the index of the end of each contour.
 //!
 //! A `Vec<Vec<GridPoint>>` costs one allocation for each polygon; layouts have millions of four-point polygons.
 
@@ -26,7 +26,7 @@ impl Contours {
         Self::default()
     }
 
-    /// No contours yet, with room for `contours` contours of `points` points together.
+    /// No contours, with capacity for `contours` contours of `points` points together.
     pub fn with_capacity(contours: usize, points: usize) -> Self {
         Self { points: Vec::with_capacity(points), ends: Vec::with_capacity(contours) }
     }
@@ -60,8 +60,8 @@ impl Contours {
         self.push_part(&other.points, &other.ends);
     }
 
-    /// Appends points, among which contours end after so many points each. What is left over begins a contour that the
-    /// next part ends.
+    /// Appends points and the ends of contours, counted from the first of these points. Points after the last end belong
+    /// to a contour that the next part ends.
     pub(crate) fn push_part(&mut self, points: &[GridPoint], ends: &[usize]) {
         let base = self.points.len();
         self.points.extend_from_slice(points);

@@ -82,6 +82,12 @@ pub enum BooleanError {
         /// What is wrong.
         source: Box<BooleanError>,
     },
+    /// The result of an operation cannot keep the hierarchy.
+    #[error("the hierarchy cannot be kept, because {reason}")]
+    Hierarchy {
+        /// Why the result is always flat.
+        reason: &'static str,
+    },
     /// Something went wrong in a function on devices.
     #[error("{function}: {source}")]
     Within {
@@ -90,7 +96,7 @@ pub enum BooleanError {
         /// What went wrong.
         source: Box<BooleanError>,
     },
-    /// The operation was stopped through its [`crate::Watch`].
+    /// The operation was stopped through its [`crate::ProgressMonitor`].
     #[error("the operation was cancelled")]
     Cancelled,
 }
@@ -108,6 +114,14 @@ impl BooleanError {
             other => other,
         }
     }
+}
+
+/// Adds the name of a function to its error.
+pub(crate) fn in_function<T>(
+    function: &'static str,
+    run: impl FnOnce() -> Result<T, BooleanError>,
+) -> Result<T, BooleanError> {
+    run().map_err(|error| error.within(function))
 }
 
 impl From<BooleanError> for Error {

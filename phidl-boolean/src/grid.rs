@@ -1,9 +1,9 @@
-//! The operations on shapes that are on the integer grid already: everything in whole steps, nothing rounded.
+//! The operations on integer grid coordinates: no micrometers and no rounding of the input.
 //!
-//! The functions at the top of the crate take devices and micrometers and do three things: round ([`snap`]), call what
-//! stands here, and cut the result into outlines. Whoever has grid coordinates, or works on with a result, starts here.
+//! The functions at the top of the crate take devices and micrometers. They round ([`snap`]), call this module, and
+//! fracture the result. Programs that have grid coordinates, or that process results further, start here.
 //!
-//! Rounding itself is [`phidl_core::num::grid::Grid`]'s, so that a boolean and a file agree on where a half step goes.
+//! The rounding rule is that of [`phidl_core::num::grid::Grid`], so that a boolean and a file round half steps alike.
 
 use phidl_core::layer::Layers;
 use phidl_core::num::grid::{Grid, GridError};
@@ -13,24 +13,19 @@ pub use crate::{
     contours::Contours,
     offset::offset,
     point::{GridPoint, MAX_COORDINATE, signed_area2},
-    region::{Polygon, Region},
+    region::{Region, RegionPolygon},
 };
-use crate::{
-    engine,
-    error::BooleanError,
-    op::{Fill, Operation},
-    options::RunOptions,
-};
+use crate::{error::BooleanError, op::Operation, options::RunOptions, region_ops::combine_shapes};
 
 /// Runs a set operation on two layers of shapes.
 ///
-/// Each operand is the union of its shapes, whatever their direction; a shape that crosses itself covers all its
-/// lobes. An empty operand is the empty set.
+/// Each operand is the union of its shapes, of any direction; a shape that crosses itself covers all its lobes. An
+/// operand without shapes is the empty set.
 ///
 /// # Errors
 /// [`BooleanError::OutOfRange`] for a coordinate beyond ±[`MAX_COORDINATE`], [`BooleanError::Option`] for a bad
-/// option, [`BooleanError::TooLarge`] for more than 2³¹ edges or a result of half as many, [`BooleanError::Cancelled`] if a
-/// [`Watch`](crate::Watch) says so.
+/// option, [`BooleanError::TooLarge`] for more than 2³¹ edges or a result of half as many, [`BooleanError::Cancelled`]
+/// after [`ProgressMonitor::cancel`](crate::ProgressMonitor::cancel).
 ///
 /// # Examples
 /// ```
@@ -43,8 +38,7 @@ use crate::{
 /// # Ok::<(), phidl_boolean::BooleanError>(())
 /// ```
 pub fn boolean(a: &Contours, b: &Contours, operation: Operation, options: &RunOptions) -> Result<Region, BooleanError> {
-    let rule = engine::Rule { operation, fill: Fill::NonZero };
-    engine::resolve([engine::Operand::Drawn(a), engine::Operand::Drawn(b)], rule, options)
+    combine_shapes(a, b, operation, options)
 }
 
 /// The grid with steps of `precision` µm, as far as the engine reaches (±[`MAX_COORDINATE`] steps).
@@ -73,7 +67,7 @@ where
     Ok(contours)
 }
 
-/// Rounds what is drawn in a device and below it to the grid; on some layers only, or on all.
+/// Rounds the polygons of a device and of the cells below it to the grid, on some layers or on all.
 ///
 /// # Errors
 /// [`BooleanError::InCell`] names the cell of the first polygon with a coordinate that is out of range.
@@ -94,7 +88,7 @@ pub fn snap_device(grid: &Grid, device: &Device, layers: Option<Layers>) -> Resu
     Ok(contours)
 }
 
-/// A refused coordinate with the shape that it is in.
+/// The error for a coordinate of a shape that the grid refuses.
 pub(crate) fn off_grid(error: GridError, shape: usize) -> BooleanError {
     match error {
         GridError::OutOfRange { um, limit_um, .. } => BooleanError::OffGrid { shape, value: um, limit: limit_um },
@@ -108,7 +102,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_has_no_place_on_the_grid_is_refused_with_the_shape_that_has_it() {
+    fn coordinates_outside_the_grid_are_refused_with_their_shape() {
         let grid = with_step(1e-4).unwrap();
         for bad in [f64::NAN, f64::INFINITY, 1.2e8] {
             let shapes = [vec![(0.0, 0.0)], vec![(1.0, bad)]];
@@ -120,7 +114,7 @@ mod tests {
     }
 
     #[test]
-    fn coordinates_round_as_the_specification_measured() {
+    fn coordinates_round_half_away_from_zero() {
         let contours = snap(&with_step(1e-4).unwrap(), [[(0.3, -0.00005), (0.00005, -0.56789)]]).unwrap();
         assert_eq!(contours.points(), [GridPoint::new(3000, -1), GridPoint::new(1, -5679)]);
     }

@@ -1,16 +1,16 @@
-//! How much work another thread is worth.
+//! Job sizes: how much work justifies another thread.
 
-/// Points whose work makes up for waking a thread, which takes some microseconds.
+/// Points whose work outweighs waking a thread, which takes some microseconds.
 const WORTH: usize = 2048;
 
-/// How many items of a list make a job that is worth handing to another thread, if all of them hold so many points.
+/// How many items of a list make one job for another thread, if all `items` have `points` points together.
 ///
-/// Most booleans of a layout are tiny; without it they wait for threads longer than they work.
+/// Most booleans of a layout are tiny; without a minimum they would wait for threads longer than they work.
 pub(crate) fn per_job(items: usize, points: usize) -> usize {
     (items.saturating_mul(WORTH) / points.max(1)).max(1)
 }
 
-/// The results of two jobs, on two threads if the points that they go over are worth it.
+/// The results of two jobs, on two threads if they process enough points.
 pub(crate) fn both<A: Send, B: Send>(
     points: usize,
     a: impl FnOnce() -> A + Send,

@@ -5,29 +5,33 @@
 //! | combine, merge, compare | [`boolean`], [`union`], [`union_by_layer`], [`xor_diff`] |
 //! | measure | [`merged_area`], [`merged_areas`] |
 //! | grow, shrink, frame, invert | [`offset()`], [`outline`], [`invert`] |
-//! | port a script that used KLayout's engine | [`kl_boolean`], [`kl_offset`], [`kl_outline`], [`kl_invert`] |
-//! | say what the operands are | anything that is [`Shapes`]: devices, references, polygons, outlines, lists |
-//! | choose the grid, threads, watch and stop | [`Options`], [`RunOptions`], [`Watch`] |
-//! | keep cells that are placed often | [`hierarchy`]: the same functions, with references in the result |
-//! | work on with a result | [`Region`]: `&a \| &b`, `&a & &b`, `&a - &b`, `&a ^ &b`, area, box, point tests, [`Region::to_device`] |
-//! | stay on the integer grid | [`grid`] |
+//! | choose the operands | any type that is [`Shapes`]: devices, references, polygons, outlines, lists |
+//! | choose the grid, the threads, progress and cancellation | [`Options`], [`RunOptions`], [`ProgressMonitor`] |
+//! | keep cells that are placed often | [`Hierarchy::Keep`] in the [`Options`] |
+//! | process a result further | [`Region`]: `&a \| &b`, `&a & &b`, `&a - &b`, `&a ^ &b`, area, box, point tests, [`Region::to_device`] |
+//! | work on integer coordinates | [`grid`] |
+//! | port a script with PHIDL's `kl_` functions | [`klayout`] |
 //!
-//! # What is promised
+//! # Invariants
 //!
-//! - Results depend on the shapes alone. Threads and strips change how long it takes, not one point of the outcome.
-//! - No edge moves by more than half a grid step in x or y, however crowded the place. Edges that need not bend keep
-//!   their points exactly, so upright shapes are combined without any error. (Combining a *result* again may bend an
-//!   edge that has come within half a step of a vertex; nothing moves on upright shapes.)
-//! - Any input is taken: crossing itself, repeated points, spikes, seams, no area at all. What is refused is refused
-//!   with a [`BooleanError`] that names the value and the rule.
-//! - Near-linear cost: a place is only compared with what is near it. The exception is a result that is itself larger:
-//!   `n` long lines across `n` others have `n²` crossings.
+//! - Results depend on the shapes alone. Threads and strips change the run time, but no point of the result.
+//! - No edge moves by more than half a grid step in x or y, in any crowd. Edges that need no snapping keep their points
+//!   exactly, so axis-parallel shapes are combined without any error. (Combining a *result* again may snap an edge to a
+//!   vertex within half a step; axis-parallel shapes never move.)
+//! - Any input is accepted: self-crossing shapes, repeated points, spikes, seams, no area. Invalid values are refused with
+//!   a [`BooleanError`] that names the value and the rule.
+//! - The cost is near-linear: a segment is only compared with what is near it. The exception is a larger result: `n` long
+//!   lines across `n` others have `n²` crossings.
 //!
-//! The engine's module docs explain why a divided plane gives the undivided result. How the time depends on the division:
+#![doc = include_str!("../docs/stages.md")]
+#![doc = include_str!("../docs/stages.svg")]
+//!
+//! # Time and number of strips
+//!
 //!
 #![doc = include_str!("../docs/divisions.svg")]
 //!
-//! Ours is divided into strips and KLayout's tiling processor into tiles, whose seams it merges afterwards; both have two
+//! This crate divides into strips, KLayout's tiling processor into tiles whose seams it merges afterwards; both have two
 //! threads. `cargo xtask figure` measures and draws it.
 
 #[cfg(doctest)]
@@ -47,14 +51,21 @@ mod options;
 mod point;
 mod progress;
 mod region;
+mod region_ops;
 
 pub use device::{
-    Border, IntoOperation, KlOptions, OpenPorts, Options, Shapes, boolean, hierarchy, invert, kl_boolean, kl_invert,
-    kl_offset, kl_outline, merged_area, merged_areas, offset, outline, union, union_by_layer, xor_diff,
+    Hierarchy, IntoOperation, Margin, OpenPorts, Options, Shapes, boolean, invert, klayout, merged_area, merged_areas,
+    offset, outline, union, union_by_layer, xor_diff,
 };
 pub use error::BooleanError;
-pub use offset::{Growth, Join};
+pub use offset::{Join, OffsetOptions};
 pub use op::Operation;
-pub use options::{Division, RunOptions};
-pub use progress::{Progress, Watch};
+pub use options::{RunOptions, StripCount};
+pub use progress::{Progress, ProgressMonitor};
 pub use region::Region;
+
+/// The stages of the engine, for the picture in its docs.
+#[doc(hidden)]
+pub mod stages {
+    pub use crate::engine::stages::{Stages, record};
+}

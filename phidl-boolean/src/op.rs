@@ -1,4 +1,4 @@
-//! The set operations and the rule that says what a winding number means.
+//! The set operations and the fill rules.
 
 use std::str::FromStr;
 
@@ -14,20 +14,20 @@ pub enum Operation {
     /// `A ∖ B`
     Not,
     /// `B ∖ A`
-    NotReversed,
+    BMinusA,
     /// Covered by exactly one of the two.
     Xor,
 }
 
 impl Operation {
-    /// Whether a place covered by `A` and `B` as told belongs to the result.
+    /// The truth table of the operation.
     #[inline]
     pub const fn keeps(self, in_a: bool, in_b: bool) -> bool {
         match self {
             Self::Or => in_a | in_b,
             Self::And => in_a & in_b,
             Self::Not => in_a & !in_b,
-            Self::NotReversed => in_b & !in_a,
+            Self::BMinusA => in_b & !in_a,
             Self::Xor => in_a ^ in_b,
         }
     }
@@ -45,24 +45,24 @@ impl FromStr for Operation {
     /// assert_eq!("XOR".parse(), Ok(Operation::Xor));
     /// ```
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let word: String = text.chars().filter(|c| !c.is_whitespace()).collect();
-        match word.to_lowercase().as_str() {
+        let name: String = text.chars().filter(|c| !c.is_whitespace()).collect();
+        match name.to_lowercase().as_str() {
             "or" | "a+b" => Ok(Self::Or),
             "and" | "a&b" => Ok(Self::And),
             "not" | "a-b" => Ok(Self::Not),
-            "b-a" => Ok(Self::NotReversed),
+            "b-a" => Ok(Self::BMinusA),
             "xor" | "a^b" => Ok(Self::Xor),
             _ => Err(BooleanError::UnknownOperation { text: text.to_owned() }),
         }
     }
 }
 
-/// Which winding numbers count as covered.
+/// The fill rule: which winding numbers are covered.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Fill {
     /// Every winding number but zero: both lobes of a figure-eight are covered.
     NonZero,
-    /// Winding numbers above zero: what a raw offset contour encloses.
+    /// Winding numbers above zero: the inside of a raw offset contour.
     Positive,
 }
 
@@ -81,7 +81,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_spelling_of_the_specification_is_read() {
+    fn every_spelling_of_layout_scripts_is_read() {
         for (text, operation) in [
             ("or", Operation::Or),
             ("A+B", Operation::Or),
@@ -89,7 +89,7 @@ mod tests {
             ("A&B", Operation::And),
             ("not", Operation::Not),
             ("a-b", Operation::Not),
-            ("B-A", Operation::NotReversed),
+            ("B-A", Operation::BMinusA),
             (" Xor ", Operation::Xor),
             ("A ^ B", Operation::Xor),
         ] {

@@ -5,47 +5,47 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use rayon::ThreadPool;
 
-use crate::{error::BooleanError, progress::Watch};
+use crate::{error::BooleanError, progress::ProgressMonitor};
 
-/// Vertices per strip where there are many; `benches/boolean.rs` compares the neighbors. Narrower strips see more edges
-/// twice, wider ones leave the caches.
+/// Vertices per strip of large operations; `benches/boolean.rs` compares other values. Narrower strips share more
+/// segments, wider ones leave the caches.
 const STRIP_VERTICES: usize = 8_000;
 
-/// Vertices per strip at least where there are few.
+/// Fewest vertices per strip of small operations.
 const FEWEST_STRIP_VERTICES: usize = 1_000;
 
-/// Strips that share the work among threads well enough, so that few vertices are divided this far only.
+/// Most strips of small operations; enough to keep all threads busy.
 const ENOUGH_STRIPS: usize = 16;
 
-/// How finely the plane is divided for the threads. The result is the same for all of them.
+/// How many strips the plane is divided into for the threads. The result does not depend on it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Division {
-    /// Into as many strips as the number of vertices suggests, whatever the number of threads.
+pub enum StripCount {
+    /// Chosen from the number of vertices, never from the number of threads.
     #[default]
     Automatic,
-    /// Into strips of about this many vertices; more than zero.
-    Vertices(usize),
-    /// Into about this many strips; more than zero. Fewer where long edges would be in many of them.
-    Strips(usize),
+    /// About this many vertices per strip; more than zero.
+    VerticesPerStrip(usize),
+    /// About this many strips; more than zero. Fewer where long edges would be in many of them.
+    Fixed(usize),
 }
 
-impl Division {
-    /// Number of strips for so many edges, at least one.
+impl StripCount {
+    /// Number of strips for `edges` edges, at least one.
     pub(crate) fn strips(self, edges: usize) -> usize {
         match self {
             Self::Automatic => {
                 let few = (edges / FEWEST_STRIP_VERTICES).min(ENOUGH_STRIPS);
                 few.max(edges / STRIP_VERTICES).max(1)
             }
-            Self::Vertices(vertices) => edges.div_ceil(vertices).max(1),
-            Self::Strips(strips) => strips.min(edges.max(1)),
+            Self::VerticesPerStrip(vertices) => edges.div_ceil(vertices).max(1),
+            Self::Fixed(strips) => strips.min(edges.max(1)),
         }
     }
 }
 
-/// How to run an operation: how finely to divide it, on how many threads, and who watches.
+/// How to run an operation: strips, threads, progress and cancellation.
 ///
-/// The result is the same, point for point and in the same order, whatever stands here.
+/// The result is the same, point for point and in the same order, for all values.
 ///
 /// # Examples
 /// ```
@@ -54,21 +54,21 @@ impl Division {
 /// ```
 #[derive(Clone, Copy, Default)]
 pub struct RunOptions<'a> {
-    /// How finely the plane is divided.
-    pub division: Division,
-    /// Number of threads, more than zero; `None` means the current rayon pool (one thread per core). Threads asked for by
-    /// number are kept until another number is asked for.
+    /// How many strips the plane is divided into.
+    pub strips: StripCount,
+    /// Number of threads, more than zero; `None` means the current rayon pool (one thread per core). A pool of a given
+    /// number of threads is kept until another number is requested.
     pub threads: Option<usize>,
     /// Receives progress and can cancel.
-    pub watch: Option<&'a Watch>,
+    pub monitor: Option<&'a ProgressMonitor>,
 }
 
 impl fmt::Debug for RunOptions<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("RunOptions")
-            .field("division", &self.division)
+            .field("strips", &self.strips)
             .field("threads", &self.threads)
-            .field("watched", &self.watch.is_some())
+            .field("monitored", &self.monitor.is_some())
             .finish()
     }
 }
@@ -76,8 +76,8 @@ impl fmt::Debug for RunOptions<'_> {
 impl RunOptions<'_> {
     pub(crate) fn check(&self) -> Result<(), BooleanError> {
         let rule = "at least 1";
-        if let Division::Vertices(0) | Division::Strips(0) = self.division {
-            return Err(BooleanError::Option { option: "division", value: 0.0, rule });
+        if let StripCount::VerticesPerStrip(0) | StripCount::Fixed(0) = self.strips {
+            return Err(BooleanError::Option { option: "strips", value: 0.0, rule });
         }
         if self.threads == Some(0) {
             return Err(BooleanError::Option { option: "threads", value: 0.0, rule });
@@ -85,7 +85,7 @@ impl RunOptions<'_> {
         Ok(())
     }
 
-    /// Runs `work` on the threads asked for.
+    /// Runs `work` on the requested threads.
     pub(crate) fn on_threads<T: Send>(
         &self,
         work: impl FnOnce() -> Result<T, BooleanError> + Send,
@@ -97,8 +97,8 @@ impl RunOptions<'_> {
     }
 }
 
-/// The threads that were asked for last. They are kept, because memory that a thread has used is ready for it again: what
-/// the system takes to hand out fresh memory is a twentieth of an operation.
+/// The last requested thread pool. It is kept because its threads reuse their memory: fresh pages from the operating
+/// system take a twentieth of an operation.
 static LAST_POOL: Mutex<Option<Arc<ThreadPool>>> = Mutex::new(None);
 
 fn pool(threads: usize) -> Result<Arc<ThreadPool>, BooleanError> {
@@ -116,16 +116,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn few_vertices_are_not_divided_and_some_are_divided_enough_for_threads() {
-        let strips = [0, 1_999, 5_000, 52_000, 520_000].map(|edges| Division::Automatic.strips(edges));
+    fn small_operations_are_not_divided_and_medium_ones_keep_the_threads_busy() {
+        let strips = [0, 1_999, 5_000, 52_000, 520_000].map(|edges| StripCount::Automatic.strips(edges));
         assert_eq!(strips, [1, 1, 5, 16, 65]);
     }
 
     #[test]
     fn zero_threads_and_zero_strips_are_refused() {
         assert!(RunOptions { threads: Some(0), ..RunOptions::default() }.check().is_err());
-        for division in [Division::Vertices(0), Division::Strips(0)] {
-            assert!(RunOptions { division, ..RunOptions::default() }.check().is_err());
+        for strips in [StripCount::VerticesPerStrip(0), StripCount::Fixed(0)] {
+            assert!(RunOptions { strips, ..RunOptions::default() }.check().is_err());
         }
         assert!(RunOptions::default().check().is_ok());
     }

@@ -1,7 +1,7 @@
-//! Points of the integer grid and the two predicates that everything rests on.
+//! Points of the integer grid and the orientation predicate.
 //!
-//! Coordinates are kept within ±2⁴⁰ steps ([`MAX_COORDINATE`]; ±110 m at the default step of 10⁻⁴ µm). The bound is
-//! not a property of the number type, it is what makes the arithmetic *exact*: the largest product that rounding a
+//! Coordinates are kept within ±2⁴⁰ steps ([`MAX_COORDINATE`]; ±110 m at the default step of 10⁻⁴ µm). The bound
+//! makes the arithmetic *exact*: the largest product that rounding a
 //! crossing needs is 2 · 2⁸³ · 2⁴¹ = 2¹²⁵, which an `i128` holds. The alternative, 32-bit coordinates with a 64-bit
 //! second engine for large ones, saves memory but needs the range rule in two places.
 

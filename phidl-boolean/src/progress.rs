@@ -1,8 +1,8 @@
-//! Watching and stopping a long operation.
+//! Progress and cancellation of a long operation.
 //!
-//! A [`Watch`] is shared by the caller and the engine. The engine asks it between strips, so cancelling takes effect
-//! after the strips that are already running, a few milliseconds later. Polling instead of a channel keeps the engine
-//! free of threads of its own.
+//! A [`ProgressMonitor`] is shared by the caller and the engine. The engine polls it between strips, so cancellation takes
+//! effect after the strips that are running, a few milliseconds later. Rejected: a channel, which would need a thread of
+//! its own.
 
 use std::{
     fmt,
@@ -11,58 +11,58 @@ use std::{
 
 use crate::error::BooleanError;
 
-/// How far an operation has come.
+/// The progress of an operation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Progress {
-    /// Steps that are finished.
+    /// Finished steps.
     pub done: usize,
-    /// Steps of the present stage; offsets run through several stages and count anew in each.
+    /// Steps of the current stage; offsets have several stages, each with its own count.
     pub total: usize,
 }
 
 type Report = Box<dyn Fn(Progress) + Send + Sync>;
 
-/// Receives progress and can cancel the operation it is handed to.
+/// Receives the progress of an operation and can cancel it.
 ///
 /// # Examples
 /// ```
-/// use phidl_boolean::{BooleanError, Operation, RunOptions, Watch};
+/// use phidl_boolean::{BooleanError, Operation, RunOptions, ProgressMonitor};
 /// use phidl_boolean::grid::{Contours, boolean};
-/// let watch = Watch::new();
-/// watch.cancel();
-/// let options = RunOptions { watch: Some(&watch), ..RunOptions::default() };
+/// let monitor = ProgressMonitor::new();
+/// monitor.cancel();
+/// let options = RunOptions { monitor: Some(&monitor), ..RunOptions::default() };
 /// let stopped = boolean(&Contours::new(), &Contours::new(), Operation::Or, &options);
 /// assert_eq!(stopped, Err(BooleanError::Cancelled));
 /// ```
 #[derive(Default)]
-pub struct Watch {
+pub struct ProgressMonitor {
     cancelled: AtomicBool,
     report: Option<Report>,
 }
 
-impl Watch {
-    /// A watch that only serves to cancel.
+impl ProgressMonitor {
+    /// A monitor without reports, for cancellation.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// A watch that calls `report` as the work advances, from any of the working threads.
+    /// A monitor that calls `report` after each step, from any of the worker threads.
     pub fn with_report(report: impl Fn(Progress) + Send + Sync + 'static) -> Self {
         Self { cancelled: AtomicBool::new(false), report: Some(Box::new(report)) }
     }
 
-    /// Asks the operation to stop with [`BooleanError::Cancelled`]. The watch stays cancelled.
+    /// Stops the operation with [`BooleanError::Cancelled`]. The monitor stays cancelled.
     pub fn cancel(&self) {
         self.cancelled.store(true, Ordering::Relaxed);
     }
 
-    /// True after [`Watch::cancel`].
+    /// True after [`ProgressMonitor::cancel`].
     pub fn is_cancelled(&self) -> bool {
         self.cancelled.load(Ordering::Relaxed)
     }
 
-    pub(crate) fn check(watch: Option<&Self>) -> Result<(), BooleanError> {
-        if watch.is_some_and(Self::is_cancelled) { Err(BooleanError::Cancelled) } else { Ok(()) }
+    pub(crate) fn check(monitor: Option<&Self>) -> Result<(), BooleanError> {
+        if monitor.is_some_and(Self::is_cancelled) { Err(BooleanError::Cancelled) } else { Ok(()) }
     }
 
     pub(crate) fn report(&self, progress: Progress) {
@@ -72,9 +72,9 @@ impl Watch {
     }
 }
 
-impl fmt::Debug for Watch {
+impl fmt::Debug for ProgressMonitor {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Watch")
+        f.debug_struct("ProgressMonitor")
             .field("cancelled", &self.is_cancelled())
             .field("reports", &self.report.is_some())
             .finish()

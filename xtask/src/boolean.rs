@@ -1,6 +1,6 @@
 //! `cargo xtask boolean`: a set operation between layers of files.
 
-use phidl_boolean::{Division, Operation, Region, RunOptions, Watch, grid};
+use phidl_boolean::{Operation, ProgressMonitor, Region, RunOptions, StripCount, grid};
 
 use crate::flags::{BooleanFlags, RunFlags};
 use crate::stages::Stages;
@@ -11,8 +11,8 @@ pub(crate) fn run(flags: &BooleanFlags) -> anyhow::Result<()> {
     let steps = grid::with_step(flags.run.precision)?;
     flags.out.ensure_is_none_of(&[&flags.a, &flags.b])?;
     let mut stages = Stages::new();
-    let watch = stages.watch();
-    let options = options(&flags.run, &watch);
+    let monitor = stages.monitor();
+    let options = options(&flags.run, &monitor);
     let (a, b) = stages.run("read", || {
         let a = flags.a.read(flags.run.cell.as_deref())?;
         let b = flags.b.read(flags.cell_b.as_deref().or(flags.run.cell.as_deref()))?;
@@ -30,9 +30,9 @@ pub(crate) fn run(flags: &BooleanFlags) -> anyhow::Result<()> {
 }
 
 /// How to run what the flags ask for.
-pub(crate) fn options<'a>(flags: &RunFlags, watch: &'a Watch) -> RunOptions<'a> {
-    let division = flags.divisions.map_or_else(Division::default, Division::Strips);
-    RunOptions { division, threads: flags.threads, watch: Some(watch) }
+pub(crate) fn options<'a>(flags: &RunFlags, monitor: &'a ProgressMonitor) -> RunOptions<'a> {
+    let strips = flags.divisions.map_or_else(StripCount::default, StripCount::Fixed);
+    RunOptions { strips, threads: flags.threads, monitor: Some(monitor) }
 }
 
 pub(crate) fn print_result(region: &Region, out: &impl std::fmt::Display) {

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 
 use anyhow::{Context, ensure};
 use phidl_boolean::grid::{self, Contours};
-use phidl_boolean::{Growth, Operation, Options, RunOptions};
+use phidl_boolean::{OffsetOptions, Operation, Options, RunOptions};
 use phidl_core::layer::Layer;
 use phidl_core::scene::Device;
 use testkit::scenes::{self, Outlines};
@@ -212,19 +212,21 @@ struct Ours {
 
 fn ours(devices: &[Device; 2], work: Work, threads: usize) -> anyhow::Result<Ours> {
     let run = RunOptions { threads: Some(threads), ..RunOptions::default() };
-    let options = Options { precision: PRECISION, max_points: None, run };
+    let options = Options { precision: PRECISION, max_points: None, run, ..Options::default() };
     let steps = grid::with_step(PRECISION)?;
     let [a, b] = devices;
     let contours: [Contours; 2] = [grid::snap_device(&steps, a, None)?, grid::snap_device(&steps, b, None)?];
     let on_grid = |run: &RunOptions| {
         best(|| match work {
             Work::Boolean(operation, _) => grid::boolean(&contours[0], &contours[1], operation, run),
-            Work::Offset(distance) => grid::offset(&contours[0], steps.scaled(distance), &Growth::default(), run),
+            Work::Offset(distance) => {
+                grid::offset(&contours[0], steps.scaled(distance), &OffsetOptions::default(), run)
+            }
         })
     };
     let on_devices = best(|| match work {
         Work::Boolean(operation, _) => phidl_boolean::boolean(a, b, operation, 3, &options),
-        Work::Offset(distance) => phidl_boolean::offset(a, distance, &Growth::default(), 3, &options),
+        Work::Offset(distance) => phidl_boolean::offset(a, distance, &OffsetOptions::default(), 3, &options),
     })?;
     let one_thread = RunOptions { threads: Some(1), ..run };
     Ok(Ours { on_grid: on_grid(&run)?, on_one_thread: on_grid(&one_thread)?, on_devices })

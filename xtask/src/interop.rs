@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use anyhow::{Context, ensure};
-use phidl_boolean::{Growth, Join, Operation, Options, boolean, offset};
+use phidl_boolean::{Join, OffsetOptions, Operation, Options, boolean, offset};
 use phidl_core::scene::Device;
 use testkit::scenes;
 
@@ -14,19 +14,14 @@ use crate::mask;
 use crate::python::Python;
 
 /// Layers of the results, as `benches/agree_boolean.py` expects them.
-const BOOLEANS: [(Operation, u16); 5] = [
-    (Operation::Or, 11),
-    (Operation::And, 12),
-    (Operation::Not, 13),
-    (Operation::NotReversed, 14),
-    (Operation::Xor, 15),
-];
+const BOOLEANS: [(Operation, u16); 5] =
+    [(Operation::Or, 11), (Operation::And, 12), (Operation::Not, 13), (Operation::BMinusA, 14), (Operation::Xor, 15)];
 
 /// Distances (µm) of offsets, and their layers.
 const OFFSETS: [(f64, u16); 2] = [(0.5, 21), (-0.3, 22)];
 
 /// KLayout's own corners: extended by one distance at most.
-const GROWTH: Growth = Growth { join: Join::Capped { extension: 1.0 }, merge_first: true };
+const GROWTH: OffsetOptions = OffsetOptions { join: Join::Extended { extension: 1.0 }, merge_first: true };
 
 /// Checks as many scenes as the flags ask for.
 pub(crate) fn run(flags: &InteropFlags) -> anyhow::Result<()> {

@@ -1,6 +1,6 @@
 //! `cargo xtask offset`: grows or shrinks a layer of a file.
 
-use phidl_boolean::{Growth, Join, grid};
+use phidl_boolean::{Join, OffsetOptions, grid};
 
 use crate::boolean::{options, print_result};
 use crate::flags::{JoinFlag, OffsetFlags};
@@ -9,12 +9,12 @@ use crate::stages::Stages;
 /// Grows or shrinks a layer of a file and writes the result to another.
 pub(crate) fn run(flags: &OffsetFlags) -> anyhow::Result<()> {
     let steps = grid::with_step(flags.run.precision)?;
-    let growth = Growth { join: join(flags), merge_first: true };
+    let growth = OffsetOptions { join: join(flags), merge_first: true };
     let distance = steps.scaled(flags.distance);
     flags.out.ensure_is_none_of(&[&flags.input])?;
     let mut stages = Stages::new();
-    let watch = stages.watch();
-    let options = options(&flags.run, &watch);
+    let monitor = stages.monitor();
+    let options = options(&flags.run, &monitor);
     let device = stages.run("read", || flags.input.read(flags.run.cell.as_deref()))?;
     let contours = stages.run("round", || flags.input.contours(&device, &steps))?;
     let region = stages.run("offset", || grid::offset(&contours, distance, &growth, &options))?;

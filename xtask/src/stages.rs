@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use phidl_boolean::Watch;
+use phidl_boolean::ProgressMonitor;
 
 use crate::progress::Progress;
 
@@ -29,10 +29,10 @@ impl Stages {
         Self { progress: Progress::new(), done: vec![start] }
     }
 
-    /// A watch that shows how far a stage has come.
-    pub(crate) fn watch(&self) -> Watch {
+    /// A monitor that shows the progress of a stage.
+    pub(crate) fn monitor(&self) -> ProgressMonitor {
         let part = self.progress.part();
-        Watch::with_report(move |progress| part(progress.done, progress.total))
+        ProgressMonitor::with_report(move |progress| part(progress.done, progress.total))
     }
 
     /// Runs a stage and keeps what it took.

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::LazyLock;
 
-use phidl_boolean::{Growth, Operation, Options, boolean, offset};
+use phidl_boolean::{OffsetOptions, Operation, Options, boolean, offset};
 use phidl_core::prelude::*;
 use phidl_io::gds::{self, ReadOptions};
 
@@ -87,7 +87,7 @@ fn the_coupler_chip_builds_its_masks_and_they_keep_their_rules() {
         let core = on(&chip, CORE);
         assert_eq!((core.bbox().map(|b| b.min.x), core.bbox().map(|b| b.max.x)), (Some(-600.0), Some(600.0)));
         assert_apart(&core, &on(&chip, TRENCH));
-        let near = offset(&core, 9.99, &Growth::default(), 0, &on_the_grid()).expect("an offset");
+        let near = offset(&core, 9.99, &OffsetOptions::default(), 0, &on_the_grid()).expect("an offset");
         assert_apart(&near, &on(&chip, DUMMY));
     }
 }

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-use phidl_boolean::{Growth, Join, Options, boolean, offset, xor_diff};
+use phidl_boolean::{Join, OffsetOptions, Options, boolean, offset, xor_diff};
 use phidl_core::prelude::*;
 use phidl_io::gds::{self, GdsOptions, ReadOptions};
 
@@ -107,7 +107,7 @@ fn every_join_is_drawn_as_by_the_library_in_both_directions() {
     ] {
         for distance in [1.25, -0.5] {
             succeeds(folder.path(), &format!("offset in.gds:2/1 --distance {distance} {flags} --out out.gds:4"));
-            let growth = Growth { join, ..Growth::default() };
+            let growth = OffsetOptions { join, ..OffsetOptions::default() };
             let expected = offset(&squares, distance, &growth, 4, &Options::default()).unwrap();
             assert_same(&read(folder.path(), "out.gds", None), &expected);
         }
@@ -156,7 +156,7 @@ fn what_cannot_be_done_is_one_line_and_leaves_the_old_result() {
         ("boolean in.gds:1 in.gds:1 --op or --precision 1e-9 --out out.gds:1", "coordinate"),
         ("boolean in.gds:1 in.gds:1 --op or --cell nix --out out.gds:1", "no cell \"nix\"; its cells are"),
         ("boolean in.gds:1 in.gds:1 --op or --threads 0 --out out.gds:1", "threads is 0, but it must be"),
-        ("boolean in.gds:1 in.gds:1 --op or --divisions 0 --out out.gds:1", "division is 0, but it must be"),
+        ("boolean in.gds:1 in.gds:1 --op or --divisions 0 --out out.gds:1", "strips is 0, but it must be"),
         ("offset in.gds:1 --distance NaN --out out.gds:1", "distance is NaN"),
         ("offset in.gds:1 --distance 1 --miter-limit -2 --out out.gds:1", "miter limit is -2"),
         ("offset in.gds:1 --distance 1 --out nix/out.gds:1", "nix/out.gds: could not"),

@@ -13,7 +13,8 @@ pub(crate) fn apart(n: usize) -> Contours {
     snapped(&scenes::dots(n, 12))
 }
 
-fn snapped(outlines: &Outlines) -> Contours {
+/// Outlines in micrometers on the grid.
+pub(crate) fn snapped(outlines: &Outlines) -> Contours {
     let steps = grid::with_step(1e-4).expect("a positive length");
     let pairs = outlines.iter().map(|outline| outline.iter().map(|p| (p.x, p.y)));
     grid::snap(&steps, pairs).expect("scenes are far smaller than the range")

@@ -1,23 +1,28 @@
-//! The area that shapes cover together: [`merged_area`], [`merged_areas`].
+//! The area of the union of shapes: [`merged_area`], [`merged_areas`].
 
 use phidl_core::geom::Rect;
 use phidl_core::layer::Layer;
 use phidl_core::num::grid::Grid;
 
-use super::{Shapes, boolean::named, operand::Operand};
+use super::{Shapes, operand::Operand};
 use crate::{
-    contours::Contours, error::BooleanError, grid, options::RunOptions, point::MAX_COORDINATE, region::Region,
+    contours::Contours,
+    error::{BooleanError, in_function},
+    grid,
+    options::RunOptions,
+    point::MAX_COORDINATE,
+    region::Region,
 };
 
 /// The finest grid on which areas are measured (µm).
 const FINEST: f64 = 1e-6;
 
-/// Area (µm²) that shapes cover together, whatever their layers; what overlaps counts once.
+/// Area (µm²) of the union of shapes on all layers; overlaps count once.
 ///
 /// It is measured on a grid of 1e-6 µm, or of the finest power of ten that reaches the shapes.
 ///
 /// # Errors
-/// A shape that no cell takes, a coordinate that is not finite.
+/// A shape that no cell accepts, a coordinate that is not finite.
 ///
 /// # Examples
 /// ```
@@ -27,19 +32,19 @@ const FINEST: f64 = 1e-6;
 /// # Ok::<(), phidl_boolean::BooleanError>(())
 /// ```
 pub fn merged_area(shapes: &(impl Shapes + ?Sized)) -> Result<f64, BooleanError> {
-    named("merged_area", || {
+    in_function("merged_area", || {
         let operand = Operand::new("shapes", shapes)?;
         let grid = finest_grid(operand.bbox())?;
         area(&operand.contours(&grid)?, &grid)
     })
 }
 
-/// Area (µm²) that shapes cover together on each layer, ascending by layer. See [`merged_area`].
+/// Area (µm²) of the union of the shapes on each layer, ascending by layer. See [`merged_area`].
 ///
 /// # Errors
 /// As for [`merged_area`].
 pub fn merged_areas(shapes: &(impl Shapes + ?Sized)) -> Result<Vec<(Layer, f64)>, BooleanError> {
-    named("merged_areas", || {
+    in_function("merged_areas", || {
         let operand = Operand::new("shapes", shapes)?;
         let grid = finest_grid(operand.bbox())?;
         let measured = |layer| Ok((layer, area(&operand.contours_on(&grid, layer)?, &grid)?));
@@ -68,7 +73,7 @@ mod tests {
     use phidl_core::scene::Polygon;
 
     #[test]
-    fn areas_are_measured_far_out_too() {
+    fn areas_far_from_the_origin_are_measured() {
         let square = |at: f64| Rect::new((at, at), (at + 2e7, at + 2e7));
         let far = merged_area(&[square(3e9), square(3e9 + 1e7)]).unwrap();
         assert!((far - 7e14).abs() < 1e3, "{far}");
@@ -77,7 +82,7 @@ mod tests {
     }
 
     #[test]
-    fn layers_are_measured_on_their_own() {
+    fn each_layer_is_measured_separately() {
         let square = |x: f64, layer: u16| Polygon::new(Rect::new((x, 0.0), (x + 2.0, 2.0)), layer);
         let areas = merged_areas(&[square(0.0, 2), square(1.0, 2), square(0.5, 1)]).unwrap();
         assert_eq!(areas, [(1.into(), 4.0), (2.into(), 6.0)]);

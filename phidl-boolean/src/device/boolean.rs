@@ -1,17 +1,25 @@
 //! Set operations on devices: [`boolean`], [`union`], [`union_by_layer`], [`xor_diff`].
 
-use phidl_core::layer::{Layer, Layers};
+use phidl_core::layer::Layers;
 use phidl_core::scene::Device;
 
-use super::{Options, Shapes, operand::Operand};
-use crate::{error::BooleanError, grid, op::Operation, region::Region};
+use super::{
+    Options, Shapes,
+    draw::{drawn, drawn_by_layer},
+    operand::Operand,
+    operation::DeviceOperation,
+};
+use crate::{
+    error::{BooleanError, in_function},
+    op::Operation,
+};
 
-/// An operation, or its name as layout scripts spell it: `"and"`, `"A-B"`, …
+/// An operation, or its name as in layout scripts: `"and"`, `"A-B"`, …
 pub trait IntoOperation {
     /// The operation.
     ///
     /// # Errors
-    /// [`BooleanError::UnknownOperation`] for a name that is none.
+    /// [`BooleanError::UnknownOperation`] for an unknown name.
     fn into_operation(self) -> Result<Operation, BooleanError>;
 }
 
@@ -27,10 +35,9 @@ impl IntoOperation for &str {
     }
 }
 
-/// Runs a set operation on two operands and draws the result as a flat device called `boolean`.
+/// Runs a set operation on two operands and draws the result as a device called `boolean`.
 ///
-/// Each operand is the union of its shapes, whatever their direction and layer; a shape that crosses itself covers all
-/// its lobes. An operand without shapes is the empty set, so `boolean(&d, &(), "or", …)` merges `d`. An empty result
+/// Each operand is the union of its shapes, of any direction and layer; a shape that crosses itself covers all its lobes. An operand without shapes is the empty set, so `boolean(&d, &(), "or", …)` merges `d`. An empty result
 /// is a device without polygons.
 ///
 /// # Errors
@@ -53,10 +60,14 @@ pub fn boolean(
     layer: impl Into<Layers>,
     options: &Options,
 ) -> Result<Device, BooleanError> {
-    named("boolean", || combined(a, b, operation.into_operation()?, options)?.to_device("boolean", layer, options))
+    in_function("boolean", || {
+        let operation = DeviceOperation::Combine(operation.into_operation()?);
+        let operands = [Operand::new("A", a)?, Operand::new("B", b)?];
+        drawn("boolean", operation, &operands, &layer.into(), options)
+    })
 }
 
-/// Merges everything that is drawn, on all layers, into a flat device called `union`.
+/// Merges the shapes of all layers into a device called `union`.
 ///
 /// # Errors
 /// As for [`boolean`].
@@ -65,25 +76,25 @@ pub fn union(
     layer: impl Into<Layers>,
     options: &Options,
 ) -> Result<Device, BooleanError> {
-    named("union", || Region::of(shapes, options)?.to_device("union", layer, options))
+    in_function("union", || {
+        drawn("union", DeviceOperation::Combine(Operation::Or), &united(shapes)?, &layer.into(), options)
+    })
 }
 
-/// Merges what is drawn on each layer on its own, into a flat device called `union` with the same layers.
+/// Merges the shapes of each layer on its own, into a device called `union` with the same layers.
 ///
 /// # Errors
 /// As for [`boolean`].
 pub fn union_by_layer(shapes: &(impl Shapes + ?Sized), options: &Options) -> Result<Device, BooleanError> {
-    named("union", || {
-        let operand = Operand::new("shapes", shapes)?;
-        let grid = options.grid()?;
-        draw_layers("union", operand.layers(), options, |layer| {
-            Region::merged(&operand.contours_on(&grid, layer)?, &options.run)
-        })
-    })
+    in_function("union", || drawn_by_layer("union", DeviceOperation::Combine(Operation::Or), &united(shapes)?, options))
 }
 
-/// What differs between two operands, layer by layer, as a flat device called `xor_diff`. Equal operands give a device
-/// without polygons.
+fn united(shapes: &(impl Shapes + ?Sized)) -> Result<[Operand; 2], BooleanError> {
+    Ok([Operand::new("shapes", shapes)?, Operand::new("nothing", &())?])
+}
+
+/// The difference of two operands, layer by layer, as a device called `xor_diff`. Equal operands give a device without
+/// polygons.
 ///
 /// # Errors
 /// As for [`boolean`].
@@ -102,57 +113,17 @@ pub fn xor_diff(
     b: &(impl Shapes + ?Sized),
     options: &Options,
 ) -> Result<Device, BooleanError> {
-    named("xor_diff", || {
-        let (a, b) = (Operand::new("A", a)?, Operand::new("B", b)?);
-        let grid = options.grid()?;
-        let mut layers = [a.layers(), b.layers()].concat();
-        layers.sort_unstable();
-        layers.dedup();
-        draw_layers("xor_diff", layers, options, |layer| {
-            let (a, b) = (a.contours_on(&grid, layer)?, b.contours_on(&grid, layer)?);
-            grid::boolean(&a, &b, Operation::Xor, &options.run)
-        })
+    in_function("xor_diff", || {
+        let operands = [Operand::new("A", a)?, Operand::new("B", b)?];
+        drawn_by_layer("xor_diff", DeviceOperation::Combine(Operation::Xor), &operands, options)
     })
-}
-
-/// The result of a set operation on the grid.
-pub(super) fn combined(
-    a: &(impl Shapes + ?Sized),
-    b: &(impl Shapes + ?Sized),
-    operation: Operation,
-    options: &Options,
-) -> Result<Region, BooleanError> {
-    let grid = options.grid()?;
-    let (a, b) = (Operand::new("A", a)?.contours(&grid)?, Operand::new("B", b)?.contours(&grid)?);
-    grid::boolean(&a, &b, operation, &options.run)
-}
-
-/// Says in an error which function was called.
-pub(super) fn named<T>(
-    function: &'static str,
-    run: impl FnOnce() -> Result<T, BooleanError>,
-) -> Result<T, BooleanError> {
-    run().map_err(|error| error.within(function))
-}
-
-/// A flat device with the region of each layer.
-fn draw_layers(
-    name: &str,
-    layers: Vec<Layer>,
-    options: &Options,
-    region: impl Fn(Layer) -> Result<Region, BooleanError>,
-) -> Result<Device, BooleanError> {
-    let mut cell = Device::builder(name);
-    for layer in layers {
-        region(layer)?.draw(&mut cell, &layer.into(), options)?;
-    }
-    Ok(cell.build()?)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use phidl_core::geom::Rect;
+    use phidl_core::layer::Layer;
     use phidl_core::place::Movable;
     use phidl_core::scene::Polygon;
 

@@ -1,4 +1,4 @@
-//! From a [`Region`] to a device and back.
+//! Conversions between a [`Region`] and devices.
 
 use phidl_core::geom::{Outline, Point};
 use phidl_core::layer::Layers;
@@ -9,10 +9,10 @@ use super::{Options, Shapes, operand::Operand};
 use crate::{error::BooleanError, point::GridPoint, region::Region};
 
 impl Region {
-    /// What some shapes cover, merged, on the grid of `options`.
+    /// The union of some shapes, on the grid of `options`.
     ///
     /// # Errors
-    /// A shape that is off the grid or no shape, an option out of its range.
+    /// A shape with bad coordinates, an option out of its range.
     ///
     /// # Examples
     /// ```
@@ -23,11 +23,12 @@ impl Region {
     /// # Ok::<(), phidl_boolean::BooleanError>(())
     /// ```
     pub fn of(shapes: &(impl Shapes + ?Sized), options: &Options) -> Result<Self, BooleanError> {
+        options.require_flat("a region has no cells")?;
         let contours = Operand::new("shapes", shapes)?.contours(&options.grid()?)?;
         Self::merged(&contours, &options.run)
     }
 
-    /// A flat device that draws the region: holes are cut open, and polygons over the limit of `options` are cut.
+    /// A flat device of the region: holes become keyholes, and polygons above the limit of `options` are fractured.
     ///
     /// # Errors
     /// An option out of its range, a name that no cell can have.
@@ -42,6 +43,7 @@ impl Region {
     /// # Ok::<(), phidl_boolean::BooleanError>(())
     /// ```
     pub fn to_device(&self, name: &str, layer: impl Into<Layers>, options: &Options) -> Result<Device, BooleanError> {
+        options.require_flat("a region has no cells")?;
         let mut cell = Device::builder(name);
         self.draw(&mut cell, &layer.into(), options)?;
         Ok(cell.build()?)

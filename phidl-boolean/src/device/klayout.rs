@@ -1,63 +1,60 @@
-//! The operations under the names and options of KLayout's region engine: [`kl_boolean`], [`kl_offset`],
-//! [`kl_outline`], [`kl_invert`].
+//! PHIDL's `kl_` functions: the names and options of KLayout's region engine, on the engine of this crate.
 //!
-//! They run on the same engine as the others. What differs is kept: distances are rounded to whole grid steps, corners
-//! follow `miter_mode`, and results are not cut to a number of points. What the specification calls defects is not:
-//! coordinates are rounded instead of cut off, nothing is lost at tile borders, `B-A` is what it says, a negative
-//! distance gives an inner frame, and there is one box to invert in.
+//! Three conventions are kept: distances are rounded to whole grid steps, corners follow `miter_mode`, and results are not
+//! fractured. Defects of the original are not: coordinates are rounded instead of truncated, nothing is lost at tile
+//! borders, `B-A` is the difference that it names, a negative distance gives an inner frame, and there is one box to invert.
+//!
+//! PHIDL's parameter `merge_after` has no equivalent: results of this engine are always merged.
 
 use phidl_core::layer::Layers;
 use phidl_core::scene::Device;
 
 use super::{
-    Border, IntoOperation, OpenPorts, Options, Shapes,
-    boolean::{combined, named},
-    invert,
-    offset::Frame,
-    operand::Operand,
+    Hierarchy, IntoOperation, Margin, OpenPorts, Options, Shapes, boolean, draw::drawn, frame::Frame, invert,
+    offset::framed, operand::Operand, operation::DeviceOperation,
 };
 use crate::{
-    error::BooleanError,
+    error::{BooleanError, in_function},
     grid,
-    offset::{Growth, Join},
-    options::{Division, RunOptions},
-    progress::Watch,
+    offset::{Join, OffsetOptions},
+    options::{RunOptions, StripCount},
+    progress::ProgressMonitor,
 };
 
 /// Extensions of the edges at a corner by miter mode, in distances.
 const EXTENSIONS: [f64; 6] = [0.0, std::f64::consts::SQRT_2 - 1.0, 1.0, std::f64::consts::SQRT_2 + 1.0, 10.0, 100.0];
 
-/// More divisions than this help nobody; a tile size of a few grid steps asks for billions.
-const MOST_DIVISIONS: f64 = 1e6;
+/// Most strips; a tile size of a few grid steps would give billions.
+const MOST_STRIPS: f64 = 1e6;
 
-/// How a `kl_` function works: the grid, the division, the threads.
+/// The options of the `kl_` functions: the grid, the tiles, the threads.
 #[derive(Debug, Clone, Copy)]
-pub struct KlOptions<'a> {
+pub struct KLayoutOptions<'a> {
     /// The grid step (µm), greater than zero.
     pub precision: f64,
-    /// About how large the parts are that are handed to the threads (µm), greater than zero; `None` leaves it to us.
+    /// The approximate size of the parts for the threads (µm), greater than zero; `None` chooses it automatically.
     pub tile_size: Option<(f64, f64)>,
     /// The number of threads; `None` is one per core.
     pub num_cpu: Option<usize>,
     /// Receives progress and can cancel.
-    pub watch: Option<&'a Watch>,
+    pub monitor: Option<&'a ProgressMonitor>,
 }
 
-impl Default for KlOptions<'_> {
+impl Default for KLayoutOptions<'_> {
     fn default() -> Self {
-        Self { precision: 1e-4, tile_size: None, num_cpu: None, watch: None }
+        Self { precision: 1e-4, tile_size: None, num_cpu: None, monitor: None }
     }
 }
 
-impl<'a> KlOptions<'a> {
-    /// The same in the words of the other functions; tiles are counted over the box of the shapes.
+impl<'a> KLayoutOptions<'a> {
+    /// The same as [`Options`]; the number of tiles over the bounding box of the shapes becomes the number of strips.
     fn options(&self, shapes: &(impl Shapes + ?Sized)) -> Result<Options<'a>, BooleanError> {
-        let division = match self.tile_size {
-            None => Division::default(),
-            Some((x, y)) => Division::Strips(self.tiles(x, y, shapes)?),
+        let strips = match self.tile_size {
+            None => StripCount::default(),
+            Some((x, y)) => StripCount::Fixed(self.tiles(x, y, shapes)?),
         };
-        let run = RunOptions { division, threads: self.num_cpu, watch: self.watch };
-        Ok(Options { precision: self.precision, max_points: None, run })
+        let run = RunOptions { strips, threads: self.num_cpu, monitor: self.monitor };
+        Ok(Options { precision: self.precision, max_points: None, hierarchy: Hierarchy::Flatten, run })
     }
 
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 1 to a million")]
@@ -69,7 +66,7 @@ impl<'a> KlOptions<'a> {
         }
         let size = Operand::new("shapes", shapes)?.bbox().map_or((0.0, 0.0), |b| (b.size().width, b.size().height));
         let tiles = (size.0 / x).ceil().max(1.0) * (size.1 / y).ceil().max(1.0);
-        Ok(tiles.min(MOST_DIVISIONS) as usize)
+        Ok(tiles.min(MOST_STRIPS) as usize)
     }
 
     /// A length in µm, rounded to whole grid steps, halves to even.
@@ -79,9 +76,12 @@ impl<'a> KlOptions<'a> {
     }
 }
 
-/// How corners are joined in a miter mode from 0 (cut straight) over 2 (right angles are kept) to 5; above, as in 5.
-fn growth(miter_mode: usize) -> Growth {
-    Growth { join: Join::Capped { extension: EXTENSIONS[miter_mode.min(EXTENSIONS.len() - 1)] }, merge_first: true }
+/// The join of a miter mode from 0 (corners are cut straight) over 2 (right angles are kept) to 5; larger ones are as 5.
+fn offset_options(miter_mode: usize) -> OffsetOptions {
+    OffsetOptions {
+        join: Join::Extended { extension: EXTENSIONS[miter_mode.min(EXTENSIONS.len() - 1)] },
+        merge_first: true,
+    }
 }
 
 /// Runs a set operation; the result is called `boolean`. See [`boolean`](super::boolean()).
@@ -93,12 +93,9 @@ pub fn kl_boolean(
     b: &(impl Shapes + ?Sized),
     operation: impl IntoOperation,
     layer: impl Into<Layers>,
-    options: &KlOptions,
+    options: &KLayoutOptions,
 ) -> Result<Device, BooleanError> {
-    named("kl_boolean", || {
-        let options = options.options(&(a, b))?;
-        combined(a, b, operation.into_operation()?, &options)?.to_device("boolean", layer, &options)
-    })
+    in_function("kl_boolean", || boolean(a, b, operation, layer, &options.options(&(a, b))?).map_err(without_function))
 }
 
 /// Grows or shrinks shapes by a distance in µm, rounded to whole grid steps; the result is called `offset`.
@@ -110,14 +107,14 @@ pub fn kl_offset(
     distance: impl Into<f64>,
     miter_mode: usize,
     layer: impl Into<Layers>,
-    options: &KlOptions,
+    options: &KLayoutOptions,
 ) -> Result<Device, BooleanError> {
-    named("kl_offset", || {
+    in_function("kl_offset", || {
         let steps = options.whole_steps(distance.into())?;
         let options = options.options(shapes)?;
-        let contours = Operand::new("shapes", shapes)?.contours(&options.grid()?)?;
-        let region = grid::offset(&contours, steps, &growth(miter_mode), &options.run)?;
-        region.to_device("offset", layer, &options)
+        let operands = [Operand::new("shapes", shapes)?, Operand::new("nothing", &())?];
+        let operation = DeviceOperation::Offset(steps, offset_options(miter_mode));
+        drawn("offset", operation, &operands, &layer.into(), &options)
     })
 }
 
@@ -131,26 +128,34 @@ pub fn kl_outline(
     open_ports: OpenPorts,
     miter_mode: usize,
     layer: impl Into<Layers>,
-    options: &KlOptions,
+    options: &KLayoutOptions,
 ) -> Result<Device, BooleanError> {
-    named("kl_outline", || {
+    in_function("kl_outline", || {
         let distance = options.whole_steps(distance.into())? * options.precision;
         let options = options.options(shapes)?;
-        Frame { distance, growth: growth(miter_mode), open_ports }.draw(shapes, &layer.into(), &options)
+        framed(shapes, Frame { distance, options: offset_options(miter_mode), open_ports }, &layer.into(), &options)
     })
 }
 
-/// Draws what is not covered in the box around all shapes; the result is called `invert`. See [`invert`](super::invert()).
+/// Draws the uncovered area of the box around all shapes; the result is called `invert`. See [`invert`](super::invert()).
 ///
 /// # Errors
 /// As for [`invert`](super::invert()).
 pub fn kl_invert(
     shapes: &(impl Shapes + ?Sized),
-    border: impl Into<Border>,
+    margin: impl Into<Margin>,
     layer: impl Into<Layers>,
-    options: &KlOptions,
+    options: &KLayoutOptions,
 ) -> Result<Device, BooleanError> {
-    invert(shapes, border, layer, &options.options(shapes)?)
+    in_function("kl_invert", || invert(shapes, margin, layer, &options.options(shapes)?).map_err(without_function))
+}
+
+/// An error of the function that a `kl_` function calls, which names itself instead.
+fn without_function(error: BooleanError) -> BooleanError {
+    match error {
+        BooleanError::Within { source, .. } => *source,
+        other => other,
+    }
 }
 
 #[cfg(test)]
@@ -162,7 +167,8 @@ mod tests {
     #[test]
     fn distances_are_rounded_to_whole_steps_with_ties_to_even() {
         let square = Rect::new((0, 0), (10, 10));
-        let grown = |distance: f64| kl_offset(&square, distance, 2, 0, &KlOptions::default()).unwrap().bbox().unwrap();
+        let grown =
+            |distance: f64| kl_offset(&square, distance, 2, 0, &KLayoutOptions::default()).unwrap().bbox().unwrap();
         assert_eq!(grown(0.000_04), square);
         assert_eq!(grown(0.000_15).max.x, 10.0002);
         assert_eq!(grown(0.000_25).max.x, 10.0002);
@@ -172,7 +178,7 @@ mod tests {
     fn every_miter_mode_cuts_a_square_corner_as_measured() {
         let square = Rect::new((0, 0), (10, 10));
         for (mode, area) in [(0, 142.0), (1, 143.313_677), (2, 144.0), (5, 144.0), (99, 144.0)] {
-            let grown = kl_offset(&square, 1, mode, 0, &KlOptions::default()).unwrap();
+            let grown = kl_offset(&square, 1, mode, 0, &KLayoutOptions::default()).unwrap();
             let drawn: f64 = grown.polygons().map(|p| p.area()).sum();
             assert!((drawn - area).abs() < 1e-3, "mode {mode}: {drawn}");
         }
@@ -182,11 +188,11 @@ mod tests {
     fn nothing_is_lost_at_tile_borders() {
         let squares = [0, 985, 1985].map(|at| Rect::new((at, at), (at + 10, at + 10)));
         for tile_size in [None, Some((1000.0, 1000.0)), Some((3.0, 5.0))] {
-            let options = KlOptions { tile_size, ..KlOptions::default() };
+            let options = KLayoutOptions { tile_size, ..KLayoutOptions::default() };
             let grown = kl_offset(&squares, 10, 2, 0, &options).unwrap();
             assert_eq!(grown.polygons().map(|p| p.area()).sum::<f64>(), 2700.0);
         }
-        let bad = KlOptions { tile_size: Some((0.0, 1.0)), ..KlOptions::default() };
+        let bad = KLayoutOptions { tile_size: Some((0.0, 1.0)), ..KLayoutOptions::default() };
         assert!(kl_invert(&squares, 1, 0, &bad).is_err());
     }
 }

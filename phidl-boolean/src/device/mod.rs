@@ -1,24 +1,28 @@
 //! The operations on devices, in micrometers: round once, operate on the grid, and draw the result.
 //!
-//! An operand is anything that implements [`Shapes`]. It is gathered as a cell of its own that places the devices it is
-//! made of: hierarchies, arrays, mirrors and magnifications are then the scene graph's business, and so is refusing a
-//! shape with a bad coordinate. The alternative, a walk of our own over every kind of shape, would need each of
-//! these rules a second time.
+//! An operand is anything that implements [`Shapes`]. It is gathered as a temporary cell that places the given devices. So
+//! the scene graph handles hierarchies, arrays, mirrors and magnifications, and refuses shapes with bad coordinates.
+//! Rejected: a traversal of every kind of shape, which would need each of these rules a second time.
 
 mod area;
 mod boolean;
 mod convert;
-pub mod hierarchy;
-mod klayout;
+mod draw;
+mod frame;
+mod hierarchy;
+pub mod klayout;
+mod margin;
 mod offset;
 mod operand;
+mod operation;
 mod options;
 mod params;
 mod shapes;
 
 pub use area::{merged_area, merged_areas};
 pub use boolean::{IntoOperation, boolean, union, union_by_layer, xor_diff};
-pub use klayout::{KlOptions, kl_boolean, kl_invert, kl_offset, kl_outline};
-pub use offset::{Border, OpenPorts, invert, offset, outline};
-pub use options::Options;
+pub use frame::OpenPorts;
+pub use margin::Margin;
+pub use offset::{invert, offset, outline};
+pub use options::{Hierarchy, Options};
 pub use shapes::Shapes;

@@ -13,13 +13,13 @@ use crate::{
     grid::{Contours, snap_device},
 };
 
-/// Gathered shapes.
+/// The shapes of one operand.
 pub(super) struct Operand {
     cell: Device,
 }
 
 impl Operand {
-    /// Gathers shapes; `name` is what errors call them.
+    /// Gathers shapes; errors name them `name`.
     pub(super) fn new(name: &str, shapes: &(impl Shapes + ?Sized)) -> Result<Self, BooleanError> {
         let mut cell = Device::builder(name);
         shapes.add_to(&mut cell)?;
@@ -43,31 +43,31 @@ impl Operand {
         Ok(Self { cell: cell.build()? })
     }
 
-    /// The cell that places all that was given.
+    /// The temporary cell that places all given shapes.
     pub(super) fn cell(&self) -> &Device {
         &self.cell
     }
 
-    /// The layers that something is drawn on, ascending.
+    /// The layers with shapes, ascending.
     pub(super) fn layers(&self) -> Vec<Layer> {
         self.cell.layers()
     }
 
-    /// The box around everything (µm).
+    /// The bounding box (µm).
     pub(super) fn bbox(&self) -> Option<Rect> {
         self.cell.bbox()
     }
 
-    /// The ports of the devices and references that were given, not of what is placed below them.
+    /// The ports of the given devices and references, without those of the cells below them.
     pub(super) fn ports(&self) -> Vec<Port> {
         self.cell.ports_recursive(Some(1))
     }
 
-    /// The ports of the only thing that was given, if it was one and has ports.
+    /// The ports of the operand if it is a single device or reference.
     pub(super) fn ports_of_only_element(&self) -> Vec<Port> {
-        let alone = self.cell.polygons().len() == 0;
+        let is_only = self.cell.polygons().len() == 0;
         match self.cell.references() {
-            [reference] if alone && reference.array().is_none() => reference.ports().collect(),
+            [reference] if is_only && reference.array().is_none() => reference.ports().collect(),
             _ => Vec::new(),
         }
     }

@@ -1,17 +1,17 @@
-//! [`Shapes`]: everything that an operation takes for an operand.
+//! [`Shapes`]: the types that an operation accepts as an operand.
 
 use phidl_core::geom::{Point, Rect};
 use phidl_core::layer::Layer;
 use phidl_core::scene::{Device, DeviceBuilder, Element, Group, Polygon, Reference};
 use phidl_core::{Error, Result};
 
-/// The layer of outlines that come without one.
+/// The layer of outlines that have none.
 const NO_LAYER: Layer = Layer::new(0, 0);
 
-/// An operand: a device, a reference or array, a polygon, a group, bare outlines, and lists of all these, also nested.
+/// An operand: a device, a reference or array, a polygon, a group, outlines, and lists of all these, also nested.
 ///
-/// What is placed below a device belongs to it. Layers do not matter, except to [`xor_diff`](crate::xor_diff) and
-/// [`union_by_layer`](crate::union_by_layer), where bare outlines count as layer 0. `()` is nothing.
+/// The cells below a device belong to it. Layers do not matter, except to [`xor_diff`](crate::xor_diff) and
+/// [`union_by_layer`](crate::union_by_layer), where outlines are on layer 0. `()` is the empty operand.
 ///
 /// ```
 /// use phidl_boolean::{Options, union};
@@ -29,7 +29,7 @@ pub trait Shapes {
     /// Adds the shapes to an open cell.
     ///
     /// # Errors
-    /// A shape that no cell takes: fewer than three points, a coordinate that is not finite.
+    /// A shape that no cell accepts: fewer than three points, a coordinate that is not finite.
     fn add_to(&self, cell: &mut DeviceBuilder) -> Result<()>;
 }
 
@@ -39,9 +39,9 @@ impl Shapes for () {
     }
 }
 
-macro_rules! things {
-    ($($thing:ty),*) => {$(
-        impl Shapes for $thing {
+macro_rules! elements {
+    ($($element:ty),*) => {$(
+        impl Shapes for $element {
             fn add_to(&self, cell: &mut DeviceBuilder) -> Result<()> {
                 cell.add(self.clone());
                 Ok(())
@@ -50,7 +50,7 @@ macro_rules! things {
     )*};
 }
 
-things!(Device, Reference, Polygon, Group);
+elements!(Device, Reference, Polygon, Group);
 
 impl Shapes for Element {
     fn add_to(&self, cell: &mut DeviceBuilder) -> Result<()> {
@@ -64,7 +64,7 @@ impl Shapes for Rect {
     }
 }
 
-/// Bare outlines: lists of whatever is a point.
+/// Outlines: lists of points of any type.
 macro_rules! outlines {
     ($($point:ty),*) => {$(
         impl Shapes for [$point] {
@@ -165,7 +165,7 @@ mod tests {
     }
 
     #[test]
-    fn a_shape_that_no_cell_takes_is_refused_with_its_number() {
+    fn an_invalid_shape_is_refused_with_its_number() {
         let error = drawn(&vec![vec![(0, 0), (1, 0), (0, 1)], vec![(0, 0), (1, 0)]]).unwrap_err();
         assert!(error.report().starts_with("in shape 1 of a list: operand: an outline of 2 points"), "{error:?}");
         assert!(drawn(&[(0.0, f64::NAN), (1.0, 0.0), (0.0, 1.0)]).is_err());

@@ -1,50 +1,53 @@
-//! The engine: from edges that cross each other to a [`Region`] without crossings.
+//! The engine: from contours that cross each other to a [`Region`] without crossings.
 //!
-//! # Why dividing the plane cannot show
+//! # Stages
 //!
-//! A boolean on an integer grid has one hard question: a crossing of two edges is almost never a grid point, so edges
-//! must bend, and a bent edge may now cross a third one. Engines that repair this step by step, in the order in which
-//! they meet the crossings, give a result that depends on everything they have seen; cut the plane into tiles and the
-//! tiles disagree about their seams. We avoid the question instead of answering it at each seam:
+//! | stage | module | from | to |
+//! | --- | --- | --- | --- |
+//! | set contours aside that touch nothing | [`isolated`] | two operands | `IsolatedPolygons` |
+//! | build segments, divide the plane | [`segment_set`], [`strips`] | the other contours | `SegmentSet`, `StripPlan` |
+//! | snap rounding | [`snap`] | segments of a strip | `SnapChains` |
+//! | fill self-intersecting contours | [`sweep`] | their chains | `FilledContours` |
+//! | sweep | [`sweep`] | chains of a strip | `BoundaryEdges` |
+//! | ring assembly | [`trace`] | boundary edges of all strips | [`Region`] |
 //!
-//! 1. **Snapping is local** ([`snap`]). Each grid point owns the half-open square of one step around it. A square is
-//!    *hot* if it holds a vertex or a crossing of the original edges, and an edge is bent through exactly the hot
-//!    squares that it passes. (This is snap rounding, Hobby 1999, Guibas and Marimont 1998. It moves no point of an
-//!    edge by more than half a step in x or y, and bent edges meet only at their ends.) What happens in a square
-//!    depends on the edges through that square alone.
-//! 2. **Seams lie between grid points** ([`plan`]). The plane is cut at x = integer + ½ into strips, so each hot
-//!    square belongs to exactly one strip. No edge is ever cut: a strip sees whole edges, all that touch it, and
-//!    reports only the bends inside. Joined along the edge, the reports of all strips are the bends of the edge.
-//! 3. **Strips report facts, not shapes** ([`sweep`]). Each strip then tells, for the edges that begin in it, what
-//!    lies on either side, and for the vertices in it, which boundary edge follows which. An edge that reaches over a
-//!    seam is the same edge on both sides. Outlines are only drawn after that, for the whole plane ([`trace`]).
+//! # Why the result does not depend on the division
 //!
-//! Contours that meet nothing take no part in any of this ([`free`]): the sweep only says what lies around them.
+//! A boolean on an integer grid has one hard question: the crossing of two segments is almost never a grid point, so the
+//! segments must move, and a moved segment may cross a third one. Engines that repair this step by step, in the order in
+//! which they meet the crossings, give a result that depends on everything they have seen. Divide the plane into tiles,
+//! and the tiles disagree about their seams. This engine avoids the question:
 //!
-//! A drawn contour that touches itself is filled on its own between steps 2 and 3, from its bent pieces ([`apart`]):
-//! no second rounding.
+//! 1. **Snapping is local** ([`snap`]). The pixel of a grid point is the half-open square of one step around it. A pixel
+//!    is *hot* if it contains a vertex or a crossing of input segments, and a segment is replaced by the chain of exactly
+//!    the hot pixels that it crosses. This is snap rounding (Hobby 1999; Guibas and Marimont 1998). It moves no point of a
+//!    segment by more than half a step in x or y, and chains meet only at grid points. What happens in a pixel depends on
+//!    the segments through that pixel alone.
+//! 2. **Seams lie between grid points** ([`strips`]). The plane is divided into strips at x = integer + ½, so each hot
+//!    pixel belongs to exactly one strip. No segment is ever cut: a strip receives whole segments, all that touch it, and
+//!    reports only the snap vertices inside. The reports of all strips, joined along a segment, are its chain.
+//! 3. **Strips report links, not shapes** ([`sweep`]). Each strip reports, for the segments that begin in it, which side is
+//!    covered, and for the vertices in it, which boundary edge follows which. A segment that spans a seam is the same
+//!    segment on both sides. Rings are assembled after that, for the whole plane ([`trace`]).
 //!
-//! So there is nothing to stitch: no vertex, sliver or gap can be left on a seam because no seam ever produces
-//! geometry. The result is the undivided one, point for point and in the same order, for every strip size and every
-//! number of threads, and cost stays near-linear because a strip only looks at what touches it.
+//! So there is nothing to stitch. No vertex, sliver or gap can be left on a seam, because no seam ever produces geometry.
+//! The result is the undivided one, point for point and in the same order, for every strip count and every number of
+//! threads. The cost stays near-linear, because a strip only processes what touches it.
 //!
-//! Rejected: cutting shapes at tile borders and uniting the pieces (hundreds of extra vertices in a trial, and slanted
+//! Rejected: clipping shapes at tile borders and uniting the parts (hundreds of extra vertices in a trial, and slanted
 //! edges step aside at each border); whole shapes for each tile with crossings paired along half-grid seams (neighbors
-//! see different bends, so rare pairs do not match); an off-the-shelf sweep for each tile (`i_overlay` rounds
-//! crossings in rounds that depend on the set of edges it sees; it serves our tests as an independent oracle).
+//! snap differently, so rare pairs do not match); an off-the-shelf sweep for each tile (`i_overlay` rounds crossings in
+//! passes that depend on the set of edges it receives; it serves the tests as an independent oracle).
 
-mod active;
-mod apart;
-mod bands;
-mod bent;
-mod edge;
-mod free;
-mod order;
-mod plain;
-mod plan;
-mod raster;
+mod input;
+mod isolated;
+mod predicates;
+mod radix;
+mod segment;
+mod segment_set;
 mod snap;
-mod span;
+pub(crate) mod stages;
+mod strips;
 mod sweep;
 mod trace;
 
@@ -53,54 +56,22 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use rayon::prelude::*;
 
 use crate::{
-    contours::Contours,
     error::BooleanError,
-    op::{Fill, Operation},
     options::RunOptions,
-    progress::{Progress, Watch},
+    progress::{Progress, ProgressMonitor},
     region::Region,
 };
-use apart::Apart;
-use bent::Bent;
-use edge::Scene;
-use free::Free;
-use plan::StripPlan;
-use span::Spans;
-
-/// One side of an operation, as the engine takes it.
-#[derive(Clone, Copy)]
-pub(crate) enum Operand<'a> {
-    /// Shapes as drawn: any direction, any self-crossing; each is filled on its own, then all are united.
-    Drawn(&'a Contours),
-    /// Contours whose direction and overlap have meaning: winding numbers are taken as they are.
-    Wound(&'a Contours),
-}
-
-impl<'a> Operand<'a> {
-    fn contours(self) -> &'a Contours {
-        match self {
-            Self::Drawn(contours) | Self::Wound(contours) => contours,
-        }
-    }
-}
-
-/// What the operation should find, once the plane is divided into places with two winding numbers each.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Rule {
-    pub(crate) operation: Operation,
-    pub(crate) fill: Fill,
-}
-
-impl Rule {
-    #[inline]
-    fn covers(self, winding: [i32; 2]) -> bool {
-        self.operation.keeps(self.fill.covers(winding[0]), self.fill.covers(winding[1]))
-    }
-}
+pub(crate) use input::{Operand, Rule};
+use isolated::IsolatedPolygons;
+use segment_set::{MAX_SEGMENTS, SegmentSet};
+use snap::{Kind, SnapChains, snap_strip};
+use strips::StripPlan;
+use sweep::{FilledContours, SpanningSegments, sweep_strip};
+use trace::trace;
 
 /// The most points of a result: two results together must not be too many for one operation, so that an operation on
 /// regions that exist cannot be refused.
-const MOST_RESULT_POINTS: usize = edge::MAX_EDGES / 2 - 1;
+const MOST_RESULT_POINTS: usize = MAX_SEGMENTS / 2 - 1;
 
 /// Runs one operation.
 ///
@@ -108,7 +79,7 @@ const MOST_RESULT_POINTS: usize = edge::MAX_EDGES / 2 - 1;
 /// Options out of range, coordinates out of range, too many edges, a result that is too large, no threads, or cancelled.
 pub(crate) fn resolve(operands: [Operand; 2], rule: Rule, options: &RunOptions) -> Result<Region, BooleanError> {
     options.check()?;
-    Watch::check(options.watch)?;
+    ProgressMonitor::check(options.monitor)?;
     for operand in &operands {
         operand.contours().check_range()?;
     }
@@ -120,53 +91,58 @@ pub(crate) fn resolve(operands: [Operand; 2], rule: Rule, options: &RunOptions) 
 }
 
 fn run(operands: [Operand; 2], rule: Rule, options: &RunOptions) -> Result<Region, BooleanError> {
-    run_around(&Free::find(&operands), operands, rule, options)
+    run_around(&IsolatedPolygons::find(&operands), operands, rule, options)
 }
 
-/// Runs the strips for all contours but the free ones.
-fn run_around(free: &Free, operands: [Operand; 2], rule: Rule, options: &RunOptions) -> Result<Region, BooleanError> {
-    let scene = Scene::new(&operands, free)?;
-    let plan = StripPlan::new(&scene, options.division);
-    let work = Work::new(options.watch, 2 * plan.len());
+/// Runs all stages but the first for the contours that are not isolated.
+fn run_around(
+    isolated: &IsolatedPolygons,
+    operands: [Operand; 2],
+    rule: Rule,
+    options: &RunOptions,
+) -> Result<Region, BooleanError> {
+    let segments = SegmentSet::new(&operands, |contour| isolated.contains(contour))?;
+    let plan = StripPlan::new(&segments, options.strips);
+    let jobs = StripJobs::new(options.monitor, 2 * plan.len());
 
-    let snapped = work.each(plan.len(), |strip| snap::snap_strip(&scene, &plan, strip))?;
-    let bent = Bent::new(&scene, &plan, snapped);
-    let apart = Apart::fill(&bent);
-    let spans = Spans::join(&bent, &apart);
+    let snapped = jobs.each(plan.len(), |strip| snap_strip(&segments, &plan, strip))?;
+    let chains = SnapChains::new(&segments, &plan, snapped);
+    let filled = FilledContours::fill(&chains);
+    let spanning = SpanningSegments::join(&chains, &filled);
 
-    let swept = work.each(plan.len(), |strip| {
+    let boundary = jobs.each(plan.len(), |strip| {
         let columns = plan.columns(strip);
-        let points = free.in_columns(columns).map(|outline| free.begin(outline));
-        let mut pieces = [apart.within(strip), spans.owned(strip)].concat();
-        bent.within(strip, |contour| !bent.is_apart(contour), |_, piece| pieces.push(piece));
-        sweep::sweep_strip(&pieces, &spans, strip, columns.1, rule, points)
+        let points = isolated.in_columns(columns).map(|polygon| isolated.begin(polygon));
+        let mut inside = [filled.within(strip), spanning.owned(strip)].concat();
+        chains.within(strip, Kind::Ordinary, |_, segment| inside.push(segment));
+        sweep_strip(&inside, &spanning, strip, columns.1, rule, points)
     })?;
-    Ok(trace::trace(&swept, spans.len(), free, rule))
+    Ok(trace(&boundary, spanning.len(), isolated, rule))
 }
 
 /// Runs the strips of a stage in parallel, reports progress and stops when cancelled.
-struct Work<'a> {
-    watch: Option<&'a Watch>,
+struct StripJobs<'a> {
+    monitor: Option<&'a ProgressMonitor>,
     done: AtomicUsize,
     total: usize,
 }
 
-impl<'a> Work<'a> {
-    fn new(watch: Option<&'a Watch>, total: usize) -> Self {
-        Self { watch, done: AtomicUsize::new(0), total }
+impl<'a> StripJobs<'a> {
+    fn new(monitor: Option<&'a ProgressMonitor>, total: usize) -> Self {
+        Self { monitor, done: AtomicUsize::new(0), total }
     }
 
-    /// Results come in strip order, whichever thread made them.
+    /// Results are in strip order, for any assignment to threads.
     fn each<T: Send>(&self, strips: usize, job: impl Fn(usize) -> T + Sync) -> Result<Vec<T>, BooleanError> {
         (0..strips)
             .into_par_iter()
             .with_max_len(1)
             .map(|strip| {
-                Watch::check(self.watch)?;
+                ProgressMonitor::check(self.monitor)?;
                 let result = job(strip);
                 let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
-                if let Some(watch) = self.watch {
-                    watch.report(Progress { done, total: self.total });
+                if let Some(monitor) = self.monitor {
+                    monitor.report(Progress { done, total: self.total });
                 }
                 Ok(result)
             })
@@ -177,11 +153,15 @@ impl<'a> Work<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::point::GridPoint;
+    use crate::{
+        contours::Contours,
+        op::{Fill, Operation},
+        point::GridPoint,
+    };
     use proptest::prelude::*;
 
-    /// Small shapes scattered over a field with a few large ones: squares, triangles, stars, figure-eights, backwards
-    /// ones. Many meet nothing.
+    /// Small shapes scattered over a field with a few large ones: squares, triangles, stars, figure-eights, clockwise
+    /// squares. Many are isolated.
     fn field() -> impl Strategy<Value = Contours> {
         let small = (0..30i64, 0..30i64, 1..9i64, 0..6usize).prop_map(|(column, row, size, kind)| {
             let (x, y) = (10 * column, 10 * row);
@@ -201,9 +181,9 @@ mod tests {
         shapes.prop_map(|(small, large)| small.into_iter().chain(large).collect())
     }
 
-    fn same_without_free(operands: [Operand; 2], rule: Rule) -> Result<(), TestCaseError> {
-        let options = RunOptions { division: crate::Division::Strips(7), ..RunOptions::default() };
-        let swept = run_around(&Free::none(&operands), operands, rule, &options).unwrap();
+    fn same_without_isolated(operands: [Operand; 2], rule: Rule) -> Result<(), TestCaseError> {
+        let options = RunOptions { strips: crate::StripCount::Fixed(7), ..RunOptions::default() };
+        let swept = run_around(&IsolatedPolygons::none(&operands), operands, rule, &options).unwrap();
         prop_assert_eq!(run(operands, rule, &options).unwrap(), swept);
         Ok(())
     }
@@ -212,33 +192,33 @@ mod tests {
         #![proptest_config(ProptestConfig::with_cases(300))]
 
         #[test]
-        fn contours_that_meet_nothing_come_out_as_the_sweep_would_draw_them(a in field(), b in field()) {
-            for operation in [Operation::Or, Operation::And, Operation::Not, Operation::NotReversed, Operation::Xor] {
+        fn isolated_contours_give_the_result_of_the_sweep(a in field(), b in field()) {
+            for operation in [Operation::Or, Operation::And, Operation::Not, Operation::BMinusA, Operation::Xor] {
                 let rule = Rule { operation, fill: Fill::NonZero };
-                same_without_free([Operand::Drawn(&a), Operand::Drawn(&b)], rule)?;
-                same_without_free([Operand::Drawn(&a), Operand::Wound(&b)], rule)?;
+                same_without_isolated([Operand::Shapes(&a), Operand::Shapes(&b)], rule)?;
+                same_without_isolated([Operand::Shapes(&a), Operand::Oriented(&b)], rule)?;
             }
             let rule = Rule { operation: Operation::Or, fill: Fill::Positive };
-            same_without_free([Operand::Wound(&a), Operand::Wound(&Contours::new())], rule)?;
+            same_without_isolated([Operand::Oriented(&a), Operand::Oriented(&Contours::new())], rule)?;
         }
     }
 
-    /// What the operators of [`Region`] rely on.
+    /// The operators of [`Region`] rely on this.
     #[test]
     fn two_results_are_never_too_many_edges_for_one_operation() {
-        const { assert!(2 * MOST_RESULT_POINTS < edge::MAX_EDGES) };
+        const { assert!(2 * MOST_RESULT_POINTS < MAX_SEGMENTS) };
     }
 
     #[test]
-    fn most_of_a_field_is_free_and_what_a_cross_meets_is_not() {
+    fn most_of_a_field_is_isolated_but_not_where_a_cross_overlaps_it() {
         let square = |x: i64, y: i64| [(x, y), (x + 5, y), (x + 5, y + 5), (x, y + 5)].map(GridPoint::from).to_vec();
         let field: Contours = (0..50).flat_map(|x| (0..50).map(move |y| square(10 * x, 10 * y))).collect();
         let bar = [(248, -9), (252, -9), (252, 509), (248, 509)].map(GridPoint::from);
         let cross: Contours = [bar.to_vec()].into_iter().collect();
-        let free = Free::find(&[Operand::Drawn(&field), Operand::Drawn(&cross)]);
-        assert_eq!(free.len(), 49 * 50);
+        let isolated = IsolatedPolygons::find(&[Operand::Shapes(&field), Operand::Shapes(&cross)]);
+        assert_eq!(isolated.len(), 49 * 50);
         let rule = Rule { operation: Operation::Not, fill: Fill::NonZero };
-        let rest = run([Operand::Drawn(&field), Operand::Drawn(&cross)], rule, &RunOptions::default()).unwrap();
+        let rest = run([Operand::Shapes(&field), Operand::Shapes(&cross)], rule, &RunOptions::default()).unwrap();
         assert_eq!(rest.area2(), 2 * (25 * 2500 - 50 * 2 * 5));
     }
 }

@@ -1,9 +1,9 @@
-//! From the facts of all strips to outlines: follow the boundary edges, then give each hole to its outline.
+//! The last stage: boundary edges of all strips are linked to rings, and each hole is assigned to its outer ring.
 
 use super::{
-    Rule,
-    free::Free,
-    sweep::{Located, Name, SPAN, Swept},
+    input::Rule,
+    isolated::IsolatedPolygons,
+    sweep::{BoundaryEdges, BoundaryId, SPANNING, Surroundings},
 };
 use crate::{
     contours::Contours,
@@ -14,187 +14,204 @@ use crate::{
 
 const UNKNOWN: u32 = u32::MAX;
 
-/// Draws the region whose boundary edges the strips have found, with the free outlines that bound it.
-pub(super) fn trace(strips: &[Swept], spans: usize, free: &Free, rule: Rule) -> Region {
-    let names = Names::new(strips, spans);
-    let outlines = Outlines::follow(strips, &names);
-    let owners = outlines.owners(strips, &names);
-    let mut assembly = Assembly { outlines: &outlines.contours, free, parts: Vec::new() };
-    assembly.parts.reserve(owners.len() + free.len());
-    assembly.parts.extend(owners.iter().zip(0u32..).map(|(&owner, number)| Part {
+/// Assembles the region from the boundary edges of all strips and the isolated polygons that bound it.
+pub(super) fn trace(strips: &[BoundaryEdges], spanning: usize, isolated: &IsolatedPolygons, rule: Rule) -> Region {
+    let numbering = EdgeNumbering::new(strips, spanning);
+    let rings = TracedRings::follow(strips, &numbering);
+    let owners = rings.owners(strips, &numbering);
+    let mut assembly = RingAssembly { traced: &rings.contours, isolated, rings: Vec::new() };
+    assembly.rings.reserve(owners.len() + isolated.len());
+    assembly.rings.extend(owners.iter().zip(0u32..).map(|(&owner, number)| Ring {
         number,
         kind: if owner == number { Kind::Outer } else { Kind::HoleOf(owner) },
-        is_free: false,
+        is_isolated: false,
     }));
-    let located = strips.iter().enumerate().flat_map(|(strip, swept)| swept.located.iter().map(move |l| (strip, l)));
-    for (number, (strip, around)) in (0u32..).zip(located) {
-        let owner = |name| owners[outlines.outline_of[names.number(strip, name) as usize] as usize];
-        if let Some(kind) = free_kind(number, around, free, rule, owner) {
-            assembly.parts.push(Part { number, kind, is_free: true });
+    let surroundings = strips
+        .iter()
+        .enumerate()
+        .flat_map(|(strip, edges)| edges.surroundings.iter().map(move |surroundings| (strip, surroundings)));
+    for (number, (strip, around)) in (0u32..).zip(surroundings) {
+        let owner = |id| owners[rings.ring_of[numbering.number(strip, id) as usize] as usize];
+        if let Some(kind) = isolated_kind(number, around, isolated, rule, owner) {
+            assembly.rings.push(Ring { number, kind, is_isolated: true });
         }
     }
     assembly.into_region()
 }
 
-/// What a free outline bounds, if anything.
-fn free_kind(number: u32, around: &Located, free: &Free, rule: Rule, owner: impl Fn(Name) -> u32) -> Option<Kind> {
-    let inside = free.inside(number as usize, around.winding);
+/// The boundary edges of all strips, from start to end.
+pub(super) fn boundary_edges(strips: &[BoundaryEdges], spanning: usize) -> Vec<[GridPoint; 2]> {
+    let numbering = EdgeNumbering::new(strips, spanning);
+    let (next, from) = (numbering.following(strips), starts(strips, numbering.total));
+    from.iter().zip(next).map(|(&start, next)| [start, from[next as usize]]).collect()
+}
+
+/// What an isolated polygon bounds, if anything.
+fn isolated_kind(
+    number: u32,
+    around: &Surroundings,
+    isolated: &IsolatedPolygons,
+    rule: Rule,
+    owner: impl Fn(BoundaryId) -> u32,
+) -> Option<Kind> {
+    let inside = isolated.inside(number as usize, around.winding);
     match (rule.covers(around.winding), rule.covers(inside)) {
         (false, true) => Some(Kind::Outer),
-        // Around it is covered, so there is a boundary below it.
-        (true, false) => around.below.map(|name| Kind::HoleOf(owner(name))),
+        // The surroundings are covered, so there is a boundary below.
+        (true, false) => around.below.map(|id| Kind::HoleOf(owner(id))),
         _ => None,
     }
 }
 
-/// An outline of the result.
+/// A ring of the result.
 #[derive(Clone, Copy)]
-struct Part {
-    /// Among the traced outlines, or among the free ones.
+struct Ring {
+    /// Among the traced rings, or among the isolated polygons.
     number: u32,
     kind: Kind,
-    is_free: bool,
+    is_isolated: bool,
 }
 
 #[derive(Clone, Copy)]
 enum Kind {
     Outer,
-    /// A hole in a traced outline; free ones have none.
+    /// A hole in a traced ring; isolated polygons have none.
     HoleOf(u32),
 }
 
-/// Puts traced and free outlines in order.
-struct Assembly<'a> {
-    outlines: &'a Contours,
-    free: &'a Free,
-    parts: Vec<Part>,
+/// Sorts traced rings and isolated polygons, and puts each hole after its outer ring.
+struct RingAssembly<'a> {
+    traced: &'a Contours,
+    isolated: &'a IsolatedPolygons,
+    rings: Vec<Ring>,
 }
 
-impl Assembly<'_> {
-    fn points(&self, part: Part) -> &[GridPoint] {
-        let number = part.number as usize;
-        if part.is_free { self.free.outline(number) } else { self.outlines.get(number).unwrap_or_default() }
+impl RingAssembly<'_> {
+    fn points(&self, ring: Ring) -> &[GridPoint] {
+        let number = ring.number as usize;
+        if ring.is_isolated { self.isolated.polygon(number) } else { self.traced.get(number).unwrap_or_default() }
     }
 
-    fn begin(&self, part: Part) -> GridPoint {
-        if part.is_free { self.free.begin(part.number as usize) } else { self.points(part)[0] }
+    fn start_vertex(&self, ring: Ring) -> GridPoint {
+        if ring.is_isolated { self.isolated.begin(ring.number as usize) } else { self.points(ring)[0] }
     }
 
     fn into_region(mut self) -> Region {
-        // Traced outlines that begin in one point keep their order; free ones share no point with others.
-        let mut parts = std::mem::take(&mut self.parts);
-        parts.sort_by_key(|&part| self.begin(part));
-        let mut holes: Vec<(u32, Part)> = parts
+        // Traced rings with one start vertex keep their order; isolated polygons share no vertex with others.
+        let mut rings = std::mem::take(&mut self.rings);
+        rings.sort_by_key(|&ring| self.start_vertex(ring));
+        let mut holes: Vec<(u32, Ring)> = rings
             .iter()
-            .filter_map(|&part| if let Kind::HoleOf(owner) = part.kind { Some((owner, part)) } else { None })
+            .filter_map(|&ring| if let Kind::HoleOf(owner) = ring.kind { Some((owner, ring)) } else { None })
             .collect();
         holes.sort_by_key(|&(owner, _)| owner);
 
-        let total = parts.iter().map(|&part| self.points(part).len()).sum();
-        let mut contours = Contours::with_capacity(parts.len(), total);
-        let mut polygons = Vec::with_capacity(parts.len() - holes.len());
-        for &part in parts.iter().filter(|part| matches!(part.kind, Kind::Outer)) {
+        let total = rings.iter().map(|&ring| self.points(ring).len()).sum();
+        let mut contours = Contours::with_capacity(rings.len(), total);
+        let mut polygons = Vec::with_capacity(rings.len() - holes.len());
+        for &ring in rings.iter().filter(|ring| matches!(ring.kind, Kind::Outer)) {
             polygons.push(contours.len());
-            contours.push(self.points(part).iter().copied());
-            let own = if part.is_free { 0 } else { holes.partition_point(|&(owner, _)| owner < part.number) };
-            let is_own = |hole: &&(u32, Part)| !part.is_free && hole.0 == part.number;
+            contours.push(self.points(ring).iter().copied());
+            let own = if ring.is_isolated { 0 } else { holes.partition_point(|&(owner, _)| owner < ring.number) };
+            let is_own = |hole: &&(u32, Ring)| !ring.is_isolated && hole.0 == ring.number;
             for &(_, hole) in holes[own..].iter().take_while(is_own) {
-                push_hole(&mut contours, self.points(hole), hole.is_free);
+                push_hole(&mut contours, self.points(hole), hole.is_isolated);
             }
         }
         Region::from_parts(contours, polygons)
     }
 }
 
-/// Free outlines are stored counter-clockwise; as holes they run the other way, from the same point.
-fn push_hole(contours: &mut Contours, points: &[GridPoint], turn: bool) {
-    if turn {
+/// Isolated polygons are stored counter-clockwise; as holes they are reversed, with the same start vertex.
+fn push_hole(contours: &mut Contours, points: &[GridPoint], reverse: bool) {
+    if reverse {
         contours.push(points[..1].iter().chain(points[1..].iter().rev()).copied());
     } else {
         contours.push(points.iter().copied());
     }
 }
 
-/// Turns the names that the strips use into numbers over all strips.
-struct Names {
+/// Numbers of the boundary edges over all strips.
+struct EdgeNumbering {
     bases: Vec<u32>,
-    spans: Vec<u32>,
+    spanning: Vec<u32>,
     total: usize,
 }
 
-impl Names {
-    #[expect(clippy::cast_possible_truncation, reason = "the number of edges is checked when they are gathered")]
-    fn new(strips: &[Swept], spans: usize) -> Self {
-        let mut names = Self { bases: Vec::with_capacity(strips.len()), spans: vec![UNKNOWN; spans], total: 0 };
+impl EdgeNumbering {
+    #[expect(clippy::cast_possible_truncation, reason = "the number of segments is checked when they are gathered")]
+    fn new(strips: &[BoundaryEdges], spanning: usize) -> Self {
+        let mut numbering =
+            Self { bases: Vec::with_capacity(strips.len()), spanning: vec![UNKNOWN; spanning], total: 0 };
         for strip in strips {
-            let base = names.total as u32;
-            names.bases.push(base);
-            names.total += strip.from.len();
-            for &(span, name) in &strip.spans {
-                names.spans[span as usize] = base + name;
+            let base = numbering.total as u32;
+            numbering.bases.push(base);
+            numbering.total += strip.from.len();
+            for &(segment, id) in &strip.spanning {
+                numbering.spanning[segment as usize] = base + id;
             }
         }
-        names
+        numbering
     }
 
     /// The boundary edge that follows each.
-    fn following(&self, strips: &[Swept]) -> Vec<u32> {
+    fn following(&self, strips: &[BoundaryEdges]) -> Vec<u32> {
         let mut next = vec![UNKNOWN; self.total];
-        for (strip, swept) in strips.iter().enumerate() {
-            for &(edge, following) in &swept.follows {
+        for (strip, edges) in strips.iter().enumerate() {
+            for &(edge, following) in &edges.follows {
                 next[self.number(strip, edge) as usize] = self.number(strip, following);
             }
         }
         next
     }
 
-    fn number(&self, strip: usize, name: Name) -> u32 {
-        if name & SPAN == 0 { self.bases[strip] + name } else { self.spans[(name & !SPAN) as usize] }
+    fn number(&self, strip: usize, id: BoundaryId) -> u32 {
+        if id & SPANNING == 0 { self.bases[strip] + id } else { self.spanning[(id & !SPANNING) as usize] }
     }
 }
 
-/// Where each boundary edge starts.
-fn begins(strips: &[Swept], edges: usize) -> Vec<GridPoint> {
+/// The start of each boundary edge.
+fn starts(strips: &[BoundaryEdges], edges: usize) -> Vec<GridPoint> {
     let mut from = Vec::with_capacity(edges);
     strips.iter().for_each(|strip| from.extend_from_slice(&strip.from));
     from
 }
 
-/// Closed outlines in the order of their leftmost points, which is where each begins.
-struct Outlines {
+/// Closed rings in the order of their leftmost points, which are the start vertices.
+struct TracedRings {
     contours: Contours,
-    /// The number of the first edge of each outline; ascending.
+    /// The number of the first edge of each ring; ascending.
     first_edges: Vec<u32>,
-    outline_of: Vec<u32>,
+    ring_of: Vec<u32>,
 }
 
-impl Outlines {
-    fn follow(strips: &[Swept], names: &Names) -> Self {
-        let (next, from) = both(names.total, || names.following(strips), || begins(strips, names.total));
-        let mut outlines = Self {
-            contours: Contours::with_capacity(0, names.total),
+impl TracedRings {
+    fn follow(strips: &[BoundaryEdges], numbering: &EdgeNumbering) -> Self {
+        let (next, from) = both(numbering.total, || numbering.following(strips), || starts(strips, numbering.total));
+        let mut rings = Self {
+            contours: Contours::with_capacity(0, numbering.total),
             first_edges: Vec::new(),
-            outline_of: vec![UNKNOWN; names.total],
+            ring_of: vec![UNKNOWN; numbering.total],
         };
         let mut points = Vec::new();
-        for edge in (0u32..).take(names.total) {
-            if outlines.outline_of[edge as usize] == UNKNOWN {
-                outlines.follow_one(edge, &next, &from, &mut points);
+        for edge in (0u32..).take(numbering.total) {
+            if rings.ring_of[edge as usize] == UNKNOWN {
+                rings.follow_one(edge, &next, &from, &mut points);
             }
         }
-        outlines
+        rings
     }
 
-    /// The first edge of an outline that we come to touches the leftmost point of it.
+    /// Traces the ring of its first edge, which touches the leftmost point of the ring.
     fn follow_one(&mut self, first: u32, next: &[u32], from: &[GridPoint], points: &mut Vec<GridPoint>) {
-        #[expect(clippy::cast_possible_truncation, reason = "there are fewer outlines than edges")]
+        #[expect(clippy::cast_possible_truncation, reason = "there are fewer rings than edges")]
         let number = self.first_edges.len() as u32;
         points.clear();
         let after = next[first as usize];
         let begin = if from[first as usize] < from[after as usize] { first } else { after };
         let mut edge = begin;
         loop {
-            self.outline_of[edge as usize] = number;
+            self.ring_of[edge as usize] = number;
             push_corner(points, from[edge as usize]);
             edge = next[edge as usize];
             if edge == begin {
@@ -206,21 +223,21 @@ impl Outlines {
         self.contours.push(points.iter().copied());
     }
 
-    /// The outline that owns each outline: itself, or for a hole the one around it.
-    fn owners(&self, strips: &[Swept], names: &Names) -> Vec<u32> {
+    /// Hole assignment: the outer ring of each ring, which is itself unless it is a hole.
+    fn owners(&self, strips: &[BoundaryEdges], numbering: &EdgeNumbering) -> Vec<u32> {
         let mut below = vec![UNKNOWN; self.first_edges.len()];
-        for (strip, swept) in strips.iter().enumerate() {
-            for &(edge, under) in &swept.below {
-                let edge = names.number(strip, edge);
-                let outline = self.outline_of[edge as usize] as usize;
-                if self.first_edges[outline] == edge {
-                    below[outline] = self.outline_of[names.number(strip, under) as usize];
+        for (strip, edges) in strips.iter().enumerate() {
+            for &(edge, under) in &edges.below {
+                let edge = numbering.number(strip, edge);
+                let ring = self.ring_of[edge as usize] as usize;
+                if self.first_edges[ring] == edge {
+                    below[ring] = self.ring_of[numbering.number(strip, under) as usize];
                 }
             }
         }
         let mut owners: Vec<u32> = Vec::with_capacity(below.len());
         for (number, (contour, under)) in (0u32..).zip(self.contours.iter().zip(below)) {
-            // What is below the leftmost point of a hole began further left, so its owner is known.
+            // The ring below the leftmost point of a hole begins further left, so its owner is known.
             let owner = if signed_area2(contour) < 0 { owners[under as usize] } else { number };
             owners.push(owner);
         }
@@ -228,7 +245,7 @@ impl Outlines {
     }
 }
 
-/// Adds a point to an outline; the point before it goes if it is no corner.
+/// Adds a point to a ring; the point before it goes if it is no corner.
 fn push_corner(points: &mut Vec<GridPoint>, point: GridPoint) {
     while let [.., a, b] = points[..] {
         if side(a, b, point).is_ne() {
@@ -239,7 +256,7 @@ fn push_corner(points: &mut Vec<GridPoint>, point: GridPoint) {
     points.push(point);
 }
 
-/// The first point is the leftmost and so a corner, but the last one may not be.
+/// Drops last points that are no corners; the first point is leftmost and therefore a corner.
 fn close_corners(points: &mut Vec<GridPoint>) {
     while let [first, .., a, b] = points[..] {
         if side(a, b, first).is_ne() {

@@ -1,19 +1,20 @@
-//! Outlines as files want them: without holes, and with no more than so many points.
+//! Fracture: outlines without holes and with a limited number of points, as files need them.
 //!
-//! Both are done by cutting along *chords*, straight lines between two corners that the polygon already has. So no
-//! point is added, nothing is rounded, and area and edges stay exact. (Cutting along straight lines across the polygon,
-//! as layout tools do, puts new points on slanted edges, next to the grid.)
+//! Both cut along *diagonals*, straight lines between two corners of the polygon. So no point is added, nothing is rounded,
+//! and area and edges stay exact. Rejected: cuts along horizontal or vertical lines, as layout tools make them. They put
+//! new points on slanted edges, off the grid.
 //!
-//! 1. [`chords`] finds chords that cut a polygon with holes into mountains: one long edge, and a chain over it. If a
-//!    polygon is small enough, its outline along those that connect the holes is the result ([`faces`]).
-//! 2. Otherwise, [`triangles`] cuts the mountains into triangles.
-//! 3. [`pieces`] joins triangles again, over every chord that is no seam, as far as the limit allows. With a seam for
-//!    each hole the triangles form a tree, so the outline of any connected part is found by walking around it.
+//! 1. [`diagonals`] cuts a polygon with holes into monotone mountains, which have one long edge and a chain over it. One
+//!    diagonal for each hole is its *bridge*. If a polygon is small enough, its outline along the bridges, with one keyhole
+//!    for each hole, is the result ([`half_edges`]).
+//! 2. Otherwise, [`triangulate`] cuts the monotone mountains into triangles.
+//! 3. [`partition`] joins triangles over every diagonal that is no bridge, up to the limit. With a bridge for each hole the
+//!    triangles form a tree, so the outline of a connected part is found by walking around it.
 
-mod chords;
-mod faces;
-mod pieces;
-mod triangles;
+mod diagonals;
+mod half_edges;
+mod partition;
+mod triangulate;
 
 use rayon::prelude::*;
 
@@ -22,16 +23,16 @@ use crate::{
     error::BooleanError,
     jobs::per_job,
     point::GridPoint,
-    region::{Polygon, Region},
+    region::{Region, RegionPolygon},
 };
 
-/// Fewest points that a piece can be limited to.
+/// The smallest limit of points.
 const FEWEST_POINTS: usize = 3;
 
 impl Region {
-    /// The region as outlines without holes: each hole is connected with the outline around it by a seam of width zero.
+    /// The region as outlines without holes: each hole is connected with the ring around it by a keyhole of width zero.
     ///
-    /// Outlines run counter-clockwise. The points are those of the region; the ends of seams occur twice.
+    /// Outlines run counter-clockwise. The points are those of the region; the ends of keyholes occur twice.
     ///
     /// # Examples
     /// ```
@@ -64,7 +65,7 @@ impl Region {
     }
 
     fn cut_to(&self, max_points: usize) -> Contours {
-        let polygons: Vec<Polygon> = self.polygons().collect();
+        let polygons: Vec<RegionPolygon> = self.polygons().collect();
         let each = polygons.par_iter().with_min_len(per_job(polygons.len(), self.contours().point_count()));
         let cut: Vec<Contours> = each.map(|polygon| cut_polygon(*polygon, max_points)).collect();
         let mut all = Contours::with_capacity(cut.len(), self.contours().point_count());
@@ -73,20 +74,20 @@ impl Region {
     }
 }
 
-fn cut_polygon(polygon: Polygon, max_points: usize) -> Contours {
+fn cut_polygon(polygon: RegionPolygon, max_points: usize) -> Contours {
     if polygon.holes().len() == 0 && polygon.outer().len() <= max_points {
         return [polygon.outer().to_vec()].into_iter().collect();
     }
     let outlines: Vec<&[GridPoint]> = std::iter::once(polygon.outer()).chain(polygon.holes()).collect();
-    let chords = chords::chords(&outlines);
-    let seams = chords.iter().filter(|chord| chord.is_seam);
-    if polygon.point_count() + 2 * seams.clone().count() <= max_points {
+    let diagonals = diagonals::diagonals(&outlines);
+    let bridges = diagonals.iter().filter(|diagonal| diagonal.is_bridge);
+    if polygon.point_count() + 2 * bridges.clone().count() <= max_points {
         let mut opened = Contours::with_capacity(1, polygon.point_count() + 2 * polygon.holes().len());
-        faces::for_each_face(&outlines, seams, |face| opened.push(face.iter().copied()));
+        half_edges::for_each_face(&outlines, bridges, |face| opened.push(face.iter().copied()));
         return opened;
     }
-    let triangles = triangles::triangles(&outlines, &chords);
-    pieces::pieces(&triangles, &chords, max_points)
+    let triangles = triangulate::triangles(&outlines, &diagonals);
+    partition::parts(&triangles, &diagonals, max_points)
 }
 
 #[cfg(test)]
@@ -121,7 +122,7 @@ mod tests {
         let sheet = &merged(&square(0, 0, 70)) - &merged(&holes);
         let outlines = sheet.without_holes();
         assert_eq!((outlines.len(), area2(&outlines)), (1, sheet.area2()));
-        assert_eq!(outlines.point_count(), 4 + 49 * 3 + 2 * 49, "each seam repeats its two ends");
+        assert_eq!(outlines.point_count(), 4 + 49 * 3 + 2 * 49, "each bridge repeats its two ends");
         assert_eq!(merged(&outlines), sheet);
     }
 
@@ -133,7 +134,7 @@ mod tests {
     }
 
     #[test]
-    fn pieces_obey_the_limit_and_lose_nothing() {
+    fn parts_obey_the_limit_and_keep_the_area() {
         let disc: Vec<(i64, i64)> = (0..1000)
             .map(|i| {
                 let (sin, cos) = (f64::from(i) * std::f64::consts::TAU / 1000.0).sin_cos();
@@ -144,16 +145,16 @@ mod tests {
             .collect();
         let ring = &merged(&contour(&disc)) - &merged(&square(-1000, -2000, 5000));
         for limit in [3, 4, 5, 50, 199, 700] {
-            let pieces = ring.fractured(limit).unwrap();
-            assert!(pieces.iter().all(|piece| piece.len() <= limit && signed_area2(piece) > 0), "{limit}");
-            assert_eq!(area2(&pieces), ring.area2(), "{limit}");
-            assert_eq!(merged(&pieces), ring, "{limit}");
-            assert!(pieces.len() <= 3 * 1008 / limit + 1, "{} pieces of {limit} points", pieces.len());
+            let parts = ring.fractured(limit).unwrap();
+            assert!(parts.iter().all(|part| part.len() <= limit && signed_area2(part) > 0), "{limit}");
+            assert_eq!(area2(&parts), ring.area2(), "{limit}");
+            assert_eq!(merged(&parts), ring, "{limit}");
+            assert!(parts.len() <= 3 * 1008 / limit + 1, "{} parts of {limit} points", parts.len());
         }
     }
 
     #[test]
-    fn small_outlines_pass_untouched_and_a_limit_below_three_is_refused() {
+    fn small_outlines_stay_as_they_are_and_a_limit_below_three_is_refused() {
         let region = merged(&square(0, 0, 10));
         assert_eq!(&region.fractured(4).unwrap(), region.contours());
         assert!(region.fractured(2).is_err());

@@ -6,14 +6,13 @@
 
 use arbitrary::{Result, Unstructured};
 use phidl_boolean::{
-    BooleanError, Division, Growth, Join, Operation, Region, RunOptions,
+    BooleanError, Join, OffsetOptions, Operation, Region, RunOptions, StripCount,
     grid::{self, Contours, GridPoint, MAX_COORDINATE, signed_area2},
 };
 
 use crate::check::{assert_clean, assert_covers_as_told};
 
-const OPERATIONS: [Operation; 5] =
-    [Operation::Or, Operation::And, Operation::Not, Operation::NotReversed, Operation::Xor];
+const OPERATIONS: [Operation; 5] = [Operation::Or, Operation::And, Operation::Not, Operation::BMinusA, Operation::Xor];
 
 /// Steps by which edges may end up off their place after merging, moving, bending and comparing: up to one each, and
 /// one where a nearly straight corner counts as straight.
@@ -86,8 +85,8 @@ pub(crate) fn operations_obey_set_algebra(bytes: &[u8]) {
             assert_eq!(grid::boolean(a, b, Operation::Or, &run), Err(refused));
             return Ok(());
         }
-        let division = Division::Strips(bytes.int_in_range(1..=9)?);
-        let divided = RunOptions { division, threads: Some(bytes.int_in_range(1..=3)?), ..run };
+        let strips = StripCount::Fixed(bytes.int_in_range(1..=9)?);
+        let divided = RunOptions { strips, threads: Some(bytes.int_in_range(1..=3)?), ..run };
         let [or, and, not, reversed, xor] =
             OPERATIONS.map(|operation| grid::boolean(a, b, operation, &run).expect("coordinates are in range"));
         for (operation, whole) in OPERATIONS.into_iter().zip([&or, &and, &not, &reversed, &xor]) {
@@ -128,10 +127,10 @@ pub(crate) fn offsets_keep_their_side(bytes: &[u8]) {
         let join = match bytes.int_in_range(0..=3u8)? {
             0 => Join::Bevel,
             1 => Join::Miter { limit: 1.0 + f64::from(bytes.arbitrary::<u8>()?) / 16.0 },
-            2 => Join::Capped { extension: f64::from(bytes.arbitrary::<u8>()?) / 16.0 },
+            2 => Join::Extended { extension: f64::from(bytes.arbitrary::<u8>()?) / 16.0 },
             _ => Join::Round { points_per_turn: 3.0 + f64::from(bytes.arbitrary::<u8>()?) },
         };
-        let growth = Growth { join, merge_first: bytes.arbitrary()? };
+        let growth = OffsetOptions { join, merge_first: bytes.arbitrary()? };
         let run = RunOptions::default();
         let moved = match grid::offset(shapes, distance, &growth, &run) {
             Ok(moved) => moved,
@@ -139,7 +138,7 @@ pub(crate) fn offsets_keep_their_side(bytes: &[u8]) {
             Err(error) => panic!("{error}"),
         };
         assert_clean(&moved);
-        let divided = RunOptions { division: Division::Strips(bytes.int_in_range(1..=9)?), threads: Some(2), ..run };
+        let divided = RunOptions { strips: StripCount::Fixed(bytes.int_in_range(1..=9)?), threads: Some(2), ..run };
         assert_eq!(grid::offset(shapes, distance, &growth, &divided).as_ref(), Ok(&moved));
         let merged = Region::merged(shapes, &run).expect("coordinates are in range");
         let (smaller, larger) = if distance < 0.0 { (&moved, &merged) } else { (&merged, &moved) };

@@ -1,9 +1,9 @@
 //! Results that keep hierarchy are, flattened, the flat results; and they do keep it.
 
 use phidl_boolean::{
-    BooleanError, Growth, Join, OpenPorts, Options, boolean,
+    BooleanError, Hierarchy, Join, OffsetOptions, OpenPorts, Options, boolean,
     grid::{self, GridPoint},
-    hierarchy, offset, outline, union, union_by_layer, xor_diff,
+    offset, outline, union, union_by_layer, xor_diff,
 };
 use phidl_core::prelude::*;
 use proptest::prelude::{Just, Strategy, prop, prop_assert_eq, prop_oneof, proptest};
@@ -14,6 +14,10 @@ const STEP: f64 = 1e-3;
 
 fn options() -> Options<'static> {
     Options { precision: STEP, max_points: Some(12), ..Options::default() }
+}
+
+fn kept(options: Options<'static>) -> Options<'static> {
+    Options { hierarchy: Hierarchy::Keep, ..options }
 }
 
 fn um(steps: (f64, f64)) -> Point {
@@ -133,14 +137,14 @@ fn same(kept: Result<Device, BooleanError>, flat: Result<Device, BooleanError>) 
     Ok::<(), TestCaseError>(())
 }
 
-fn any_growth() -> impl Strategy<Value = Growth> {
+fn any_growth() -> impl Strategy<Value = OffsetOptions> {
     let join = prop_oneof![
         Just(Join::default()),
         Just(Join::Bevel),
-        Just(Join::Capped { extension: 3.0 }),
+        Just(Join::Extended { extension: 3.0 }),
         Just(Join::Round { points_per_turn: 16.0 })
     ];
-    (join, prop::bool::weighted(0.8)).prop_map(|(join, merge_first)| Growth { join, merge_first })
+    (join, prop::bool::weighted(0.8)).prop_map(|(join, merge_first)| OffsetOptions { join, merge_first })
 }
 
 proptest! {
@@ -149,9 +153,9 @@ proptest! {
     #[test]
     fn set_operations_that_keep_hierarchy_draw_the_polygons_of_the_flat_ones(a in layout(), b in layout()) {
         for operation in ["or", "and", "A-B", "B-A", "xor"] {
-            same(hierarchy::boolean(&a, &b, operation, 3, &options()), boolean(&a, &b, operation, 3, &options()))?;
+            same(boolean(&a, &b, operation, 3, &kept(options())), boolean(&a, &b, operation, 3, &options()))?;
         }
-        same(hierarchy::union(&a, 3, &options()), union(&a, 3, &options()))?;
+        same(union(&a, 3, &kept(options())), union(&a, 3, &options()))?;
     }
 
     #[test]
@@ -159,9 +163,9 @@ proptest! {
         let mut hole = a.edit();
         hole.keep_layers(2, LayerTarget::All);
         let hole = hole.build().unwrap();
-        same(hierarchy::boolean(&a, &hole, "not", 3, &options()), boolean(&a, &hole, "not", 3, &options()))?;
-        same(hierarchy::xor_diff(&a, &hole, &options()), xor_diff(&a, &hole, &options()))?;
-        same(hierarchy::union_by_layer(&a, &options()), union_by_layer(&a, &options()))?;
+        same(boolean(&a, &hole, "not", 3, &kept(options())), boolean(&a, &hole, "not", 3, &options()))?;
+        same(xor_diff(&a, &hole, &kept(options())), xor_diff(&a, &hole, &options()))?;
+        same(union_by_layer(&a, &kept(options())), union_by_layer(&a, &options()))?;
     }
 
     #[test]
@@ -169,7 +173,7 @@ proptest! {
         a in layout(), growth in any_growth(), distance in prop::sample::select(vec![-25.0, -3.0, -0.4, 0.0, 0.7, 4.0, 30.0]),
     ) {
         let distance = distance * STEP;
-        same(hierarchy::offset(&a, distance, &growth, 3, &options()), offset(&a, distance, &growth, 3, &options()))?;
+        same(offset(&a, distance, &growth, 3, &kept(options())), offset(&a, distance, &growth, 3, &options()))?;
     }
 
     #[test]
@@ -177,8 +181,8 @@ proptest! {
         a in layout(), growth in any_growth(), distance in prop::sample::select(vec![-3.0, 4.0, 30.0]),
     ) {
         let distance = distance * STEP;
-        for open in [OpenPorts::Closed, OpenPorts::Wider(0.0), OpenPorts::Wider(5.0 * STEP)] {
-            let kept = hierarchy::outline(&a, distance, &growth, open, 3, &options());
+        for open in [OpenPorts::Closed, OpenPorts::WithMargin(0.0), OpenPorts::WithMargin(5.0 * STEP)] {
+            let kept = outline(&a, distance, &growth, open, 3, &kept(options()));
             same(kept, outline(&a, distance, &growth, open, 3, &options()))?;
         }
     }
@@ -209,7 +213,7 @@ fn a_million_rings_less_their_squares_are_one_ring_in_an_array() {
     let mut d = Device::builder("top");
     d.add(ring().array(1000, 1000, (25, 25)));
     let top = d.build().unwrap();
-    let cut = hierarchy::boolean(&on(&top, 1), &on(&top, 2), "not", 1, &Options::default()).unwrap();
+    let cut = boolean(&on(&top, 1), &on(&top, 2), "not", 1, &kept(Options::default())).unwrap();
     assert_eq!(drawn_and_placed(&cut), (0, 1));
     let cell = cut.references()[0].device();
     assert_eq!(drawn_and_placed(cell), (1, 0));
@@ -222,7 +226,7 @@ fn what_a_bar_crosses_is_drawn_flat_and_the_rest_stays_in_arrays() {
     d.add(ring().array(20, 20, (25, 25)));
     let top = d.build().unwrap();
     let bar = Rect::new((-100.0, 99.0), (1000.0, 101.0));
-    let cut = hierarchy::boolean(&top, &bar, "not", 1, &Options::default()).unwrap();
+    let cut = boolean(&top, &bar, "not", 1, &kept(Options::default())).unwrap();
     // The bar divides each of the twenty rings of one row; nine more rows are over, four below and six... above.
     assert_eq!(cut.polygons().count(), 40);
     assert_eq!(cut.references().iter().map(Reference::count).sum::<usize>(), 380);
@@ -237,10 +241,10 @@ fn a_frame_around_everything_does_not_reach_what_stands_in_it() {
     d.add(frame.unwrap());
     d.add(ring().array(20, 20, (25, 25)));
     let chip = d.build().unwrap();
-    let grown = hierarchy::offset(&chip, 1, &Growth::default(), 1, &Options::default()).unwrap();
+    let grown = offset(&chip, 1, &OffsetOptions::default(), 1, &kept(Options::default())).unwrap();
     assert_eq!(drawn_and_placed(&grown), (1, 1));
     // Grown by more than half of the gap between the rings, they are one.
-    let grown = hierarchy::offset(&chip, 3, &Growth::default(), 1, &Options::default()).unwrap();
+    let grown = offset(&chip, 3, &OffsetOptions::default(), 1, &kept(Options::default())).unwrap();
     assert_eq!(grown.references().len(), 0);
 }
 
@@ -252,7 +256,7 @@ fn each_turn_and_each_part_of_a_step_is_a_cell_of_its_own() {
         let off = if i < 20 { 0.0 } else { 0.3e-4 };
         d.add(turned.moved_by((f64::from(i) * 30.0 + off, f64::from(i * i))));
     }
-    let merged = hierarchy::union(&d.build().unwrap(), 1, &Options::default()).unwrap();
+    let merged = union(&d.build().unwrap(), 1, &kept(Options::default())).unwrap();
     assert_eq!(merged.polygons().count(), 0);
     assert_eq!(merged.cells().len(), 1 + 8);
 }
@@ -260,11 +264,11 @@ fn each_turn_and_each_part_of_a_step_is_a_cell_of_its_own() {
 #[test]
 fn bad_options_are_refused_and_nothing_gives_nothing() {
     let bad = Options { max_points: Some(2), ..Options::default() };
-    let error = hierarchy::union(&ring().array(5, 5, (30, 30)), 1, &bad).unwrap_err();
+    let error = union(&ring().array(5, 5, (30, 30)), 1, &kept(bad)).unwrap_err();
     assert_eq!(error.to_string(), "union: max_points is 2, but it must be at least 3");
-    let error = hierarchy::offset(&(), f64::NAN, &Growth::default(), 1, &Options::default()).unwrap_err();
+    let error = offset(&(), f64::NAN, &OffsetOptions::default(), 1, &kept(Options::default())).unwrap_err();
     assert!(error.to_string().starts_with("offset: distance is NaN"), "{error}");
-    assert!(hierarchy::boolean(&(), &(), "or", 1, &Options::default()).unwrap().is_empty());
+    assert!(boolean(&(), &(), "or", 1, &kept(Options::default())).unwrap().is_empty());
     let far = ring().array(3, 3, (1e8, 1.0));
-    assert!(hierarchy::union(&far, 1, &Options::default()).unwrap_err().to_string().contains("in cell ring"));
+    assert!(union(&far, 1, &kept(Options::default())).unwrap_err().to_string().contains("in cell ring"));
 }

@@ -1,7 +1,7 @@
 //! Laws that hold for all inputs.
 
 use phidl_boolean::{
-    Division, Operation, Region, RunOptions,
+    Operation, Region, RunOptions, StripCount,
     grid::{Contours, GridPoint, boolean},
 };
 use proptest::prelude::*;
@@ -12,7 +12,7 @@ use crate::{
 };
 
 fn strips(strip_vertices: usize) -> RunOptions<'static> {
-    RunOptions { division: Division::Vertices(strip_vertices), ..RunOptions::default() }
+    RunOptions { strips: StripCount::VerticesPerStrip(strip_vertices), ..RunOptions::default() }
 }
 
 fn undivided(a: &Contours, b: &Contours, operation: Operation) -> Region {
@@ -64,7 +64,7 @@ proptest! {
         for operation in [Operation::Or, Operation::And, Operation::Xor] {
             prop_assert_eq!(undivided(&a, &b, operation), undivided(&b, &a, operation));
         }
-        prop_assert_eq!(undivided(&a, &b, Operation::Not), undivided(&b, &a, Operation::NotReversed));
+        prop_assert_eq!(undivided(&a, &b, Operation::Not), undivided(&b, &a, Operation::BMinusA));
     }
 
     #[test]

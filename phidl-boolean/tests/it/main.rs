@@ -5,11 +5,13 @@ mod fracture;
 mod fuzzed;
 mod hierarchy;
 mod laws;
+mod messages;
 mod offset;
 mod oracle;
 mod replay;
 mod run;
 mod shapes;
+mod stages;
 
 #[path = "../../benches/support/mod.rs"]
 mod support;

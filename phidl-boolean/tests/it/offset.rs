@@ -1,7 +1,7 @@
 //! Growing and shrinking obey their definition.
 
 use phidl_boolean::{
-    Division, Growth, Join, Region, RunOptions,
+    Join, OffsetOptions, Region, RunOptions, StripCount,
     grid::{Contours, GridPoint, offset},
 };
 use proptest::prelude::*;
@@ -18,7 +18,7 @@ const ROUNDING: f64 = 2.0;
 fn any_join() -> impl Strategy<Value = Join> {
     prop_oneof![
         (1.0..6.0).prop_map(|limit| Join::Miter { limit }),
-        (0.0..3.0).prop_map(|extension| Join::Capped { extension }),
+        (0.0..3.0).prop_map(|extension| Join::Extended { extension }),
         Just(Join::Bevel),
         (3.0..90.0).prop_map(|points_per_turn| Join::Round { points_per_turn }),
     ]
@@ -29,7 +29,7 @@ fn shapes() -> impl Strategy<Value = Contours> {
 }
 
 fn moved(shapes: &Contours, distance: f64, join: Join) -> Region {
-    offset(shapes, distance, &Growth { join, merge_first: true }, &RunOptions::default()).unwrap()
+    offset(shapes, distance, &OffsetOptions { join, merge_first: true }, &RunOptions::default()).unwrap()
 }
 
 /// Distance from a point to the nearest edge of a region.
@@ -73,7 +73,7 @@ proptest! {
         assert_clean(&grown);
         let reach = match join {
             Join::Miter { limit } => limit.max(2f64.sqrt()),
-            Join::Capped { extension } => extension.hypot(1.0),
+            Join::Extended { extension } => extension.hypot(1.0),
             Join::Bevel => 2f64.sqrt(),
             Join::Round { .. } => 1.0,
         };
@@ -116,9 +116,9 @@ proptest! {
     fn offsets_do_not_depend_on_strips_threads_or_the_order_of_merging(
         a in shapes(), distance in -30.0..30.0f64, join in any_join(), strip_vertices in 1usize..50,
     ) {
-        let options = Growth { join, merge_first: true };
-        let whole = offset(&a, distance, &options, &RunOptions { division: Division::Vertices(usize::MAX), ..RunOptions::default() });
-        let divided = offset(&a, distance, &options, &RunOptions { division: Division::Vertices(strip_vertices), threads: Some(2), ..RunOptions::default() });
+        let options = OffsetOptions { join, merge_first: true };
+        let whole = offset(&a, distance, &options, &RunOptions { strips: StripCount::VerticesPerStrip(usize::MAX), ..RunOptions::default() });
+        let divided = offset(&a, distance, &options, &RunOptions { strips: StripCount::VerticesPerStrip(strip_vertices), threads: Some(2), ..RunOptions::default() });
         prop_assert_eq!(whole, divided);
     }
 }

@@ -6,7 +6,7 @@ use std::sync::{
 };
 
 use phidl_boolean::{
-    BooleanError, Division, Operation, Region, RunOptions, Watch,
+    BooleanError, Operation, ProgressMonitor, Region, RunOptions, StripCount,
     grid::{Contours, GridPoint, MAX_COORDINATE, boolean},
 };
 
@@ -24,31 +24,33 @@ fn merged(shapes: &Contours) -> Region {
 fn progress_counts_up_to_its_total() {
     let last = Arc::new(AtomicUsize::new(0));
     let seen = last.clone();
-    let watch = Watch::with_report(move |progress| {
+    let monitor = ProgressMonitor::with_report(move |progress| {
         assert!(progress.done <= progress.total);
         if progress.done == progress.total {
             seen.fetch_add(1, Ordering::Relaxed);
         }
     });
-    let options = RunOptions { watch: Some(&watch), division: Division::Vertices(100), ..RunOptions::default() };
+    let options =
+        RunOptions { monitor: Some(&monitor), strips: StripCount::VerticesPerStrip(100), ..RunOptions::default() };
     boolean(&confetti(20, 1), &confetti(20, 2), Operation::Xor, &options).unwrap();
     assert_eq!(last.load(Ordering::Relaxed), 1);
 }
 
 #[test]
 fn an_operation_can_be_cancelled_from_its_own_report() {
-    let watch = Arc::new(std::sync::OnceLock::<Watch>::new());
-    let inner = watch.clone();
-    let watch = watch.get_or_init(move || {
-        Watch::with_report(move |progress| {
+    let monitor = Arc::new(std::sync::OnceLock::<ProgressMonitor>::new());
+    let inner = monitor.clone();
+    let monitor = monitor.get_or_init(move || {
+        ProgressMonitor::with_report(move |progress| {
             if progress.done > 2
-                && let Some(watch) = inner.get()
+                && let Some(monitor) = inner.get()
             {
-                watch.cancel();
+                monitor.cancel();
             }
         })
     });
-    let options = RunOptions { watch: Some(watch), division: Division::Vertices(20), ..RunOptions::default() };
+    let options =
+        RunOptions { monitor: Some(monitor), strips: StripCount::VerticesPerStrip(20), ..RunOptions::default() };
     let result = boolean(&confetti(20, 1), &confetti(20, 2), Operation::Or, &options);
     assert_eq!(result, Err(BooleanError::Cancelled));
 }
@@ -130,7 +132,7 @@ fn the_example_that_breaks_hole_linking_elsewhere_has_its_correct_areas() {
     let b = micrometers(&[first[0], first[1], &[(26, 1), (15, 37), (14, 33), (14, 24)]]);
     for (operation, area) in [
         (Operation::Not, 5.108_101),
-        (Operation::NotReversed, 5.375_419),
+        (Operation::BMinusA, 5.375_419),
         (Operation::Xor, 10.483_520),
         (Operation::And, 287.741_180),
         (Operation::Or, 298.224_700),
@@ -157,7 +159,7 @@ fn the_operation_is_the_set_algebra_for_empty_operands() {
         (Operation::Or, 8.0, 8.0),
         (Operation::And, 0.0, 0.0),
         (Operation::Not, 8.0, 0.0),
-        (Operation::NotReversed, 0.0, 8.0),
+        (Operation::BMinusA, 0.0, 8.0),
         (Operation::Xor, 8.0, 8.0),
     ] {
         assert_eq!((run(&some, &none, operation), run(&none, &some, operation)), (a_only, b_only), "{operation:?}");

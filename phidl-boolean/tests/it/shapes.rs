@@ -35,5 +35,5 @@ fn long_slivers(count: usize) -> impl Strategy<Value = Contours> {
 }
 
 pub(crate) fn any_operation() -> impl Strategy<Value = Operation> {
-    prop::sample::select(vec![Operation::Or, Operation::And, Operation::Not, Operation::NotReversed, Operation::Xor])
+    prop::sample::select(vec![Operation::Or, Operation::And, Operation::Not, Operation::BMinusA, Operation::Xor])
 }

@@ -6,7 +6,8 @@
 //! whatever `tile_size` is. Handing out the input of an `or` in its place would be another operation: it neither rounds
 //! nor resolves shapes that cross themselves.
 
-use phidl_boolean::{Border, KlOptions, OpenPorts};
+use phidl_boolean::klayout::KLayoutOptions;
+use phidl_boolean::{Margin, OpenPorts};
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
@@ -16,9 +17,9 @@ use crate::basic::{circle, cross, rectangle};
 /// Tile size where nothing else is asked for (µm).
 const TILE: Size = Size { width: 1000.0, height: 1000.0 };
 
-fn options(precision: f64, tile_size: Option<Size>, num_cpu: NumCpu) -> KlOptions<'static> {
+fn options(precision: f64, tile_size: Option<Size>, num_cpu: NumCpu) -> KLayoutOptions<'static> {
     let tile_size = tile_size.map(|tile| (tile.width, tile.height));
-    KlOptions { precision, tile_size, num_cpu: num_cpu.0, watch: None }
+    KLayoutOptions { precision, tile_size, num_cpu: num_cpu.0, monitor: None }
 }
 
 /// Runs a set operation; see [`boolean`](fn@super::boolean).
@@ -70,7 +71,7 @@ pub fn kl_boolean(
     #[default(0)]
     layer: Layers,
 ) -> Result<Device> {
-    Ok(phidl_boolean::kl_boolean(&a, &b, operation.as_str(), layer, &options(precision, tile_size, num_cpu))?)
+    Ok(phidl_boolean::klayout::kl_boolean(&a, &b, operation.as_str(), layer, &options(precision, tile_size, num_cpu))?)
 }
 
 /// Grows or shrinks shapes; see [`offset`](fn@super::offset).
@@ -126,7 +127,7 @@ pub fn kl_offset(
     layer: Layers,
 ) -> Result<Device> {
     let options = options(precision, tile_size, num_cpu);
-    Ok(phidl_boolean::kl_offset(&elements, distance, miter_mode, layer, &options)?)
+    Ok(phidl_boolean::klayout::kl_offset(&elements, distance, miter_mode, layer, &options)?)
 }
 
 /// Draws a frame around or inside shapes; see [`outline`](fn@super::outline).
@@ -182,7 +183,7 @@ pub fn kl_outline(
     layer: Layers,
 ) -> Result<Device> {
     let options = options(precision, tile_size, num_cpu);
-    Ok(phidl_boolean::kl_outline(&elements, distance, open_ports, miter_mode, layer, &options)?)
+    Ok(phidl_boolean::klayout::kl_outline(&elements, distance, open_ports, miter_mode, layer, &options)?)
 }
 
 /// Draws what shapes leave free in the box around all of them; see [`invert`](fn@super::invert).
@@ -211,7 +212,7 @@ pub fn kl_invert(
     /// How far the box reaches beyond the shapes, in all directions or in x and in y.
     #[default((10, 10))]
     #[param(unit = "um")]
-    border: Border,
+    border: Margin,
     /// Grid step.
     #[default(1e-4)]
     #[param(unit = "um", above = 0.0)]
@@ -231,7 +232,7 @@ pub fn kl_invert(
     #[default(0)]
     layer: Layers,
 ) -> Result<Device> {
-    Ok(phidl_boolean::kl_invert(&elements, border, layer, &options(precision, tile_size, num_cpu))?)
+    Ok(phidl_boolean::klayout::kl_invert(&elements, border, layer, &options(precision, tile_size, num_cpu))?)
 }
 
 #[cfg(test)]

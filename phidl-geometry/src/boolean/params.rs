@@ -1,6 +1,6 @@
 //! What the boolean functions take beside numbers: elements, joins, divisions, threads.
 
-use phidl_boolean::{Division, Growth, Join, Options, RunOptions, Shapes};
+use phidl_boolean::{Join, OffsetOptions, Options, RunOptions, Shapes, StripCount};
 use phidl_core::param::{ConversionError, Param, ParamType};
 use phidl_core::prelude::*;
 use phidl_macros::Choice;
@@ -81,13 +81,13 @@ pub enum JoinName {
 }
 
 impl JoinName {
-    pub(super) fn growth(self, tolerance: f64, distance: f64, precision: f64, merge_first: bool) -> Growth {
+    pub(super) fn growth(self, tolerance: f64, distance: f64, precision: f64, merge_first: bool) -> OffsetOptions {
         let join = match self {
             Self::Miter => Join::Miter { limit: tolerance.max(2.0) },
             Self::Bevel => Join::Bevel,
             Self::Round => Join::Round { points_per_turn: points_per_turn(tolerance, distance / precision) },
         };
-        Growth { join, merge_first }
+        OffsetOptions { join, merge_first }
     }
 }
 
@@ -108,12 +108,12 @@ pub struct Divisions(pub u32, pub u32);
 impl Divisions {
     /// Options of phidl-boolean; `[1, 1]` leaves the division to the engine.
     pub(super) fn options(self, precision: f64, max_points: usize) -> Options<'static> {
-        let division = match (self.0 as usize).saturating_mul(self.1 as usize) {
-            1 => Division::default(),
-            parts => Division::Strips(parts),
+        let strips = match (self.0 as usize).saturating_mul(self.1 as usize) {
+            1 => StripCount::default(),
+            parts => StripCount::Fixed(parts),
         };
         let max_points = Some(max_points).filter(|&most| most >= FEWEST_POINTS);
-        Options { precision, max_points, run: RunOptions { division, ..RunOptions::default() } }
+        Options { precision, max_points, run: RunOptions { strips, ..RunOptions::default() }, ..Options::default() }
     }
 }
 

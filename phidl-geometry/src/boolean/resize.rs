@@ -1,6 +1,6 @@
 //! [`offset`](fn@offset), [`outline`] and [`invert`].
 
-use phidl_boolean::{Border, OpenPorts};
+use phidl_boolean::{Margin, OpenPorts};
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
@@ -148,7 +148,7 @@ pub fn invert(
     /// How far the box reaches beyond the shapes, in all directions or in x and in y.
     #[default(10.0)]
     #[param(unit = "um")]
-    border: Border,
+    border: Margin,
     /// Grid step.
     #[default(1e-4)]
     #[param(unit = "um", above = 0.0)]

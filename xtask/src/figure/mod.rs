@@ -6,7 +6,7 @@ mod chart;
 use std::path::Path;
 
 use anyhow::Context;
-use phidl_boolean::{Division, Operation, RunOptions, grid};
+use phidl_boolean::{Operation, RunOptions, StripCount, grid};
 use phidl_core::prelude::*;
 use phidl_io::svg::{self, SvgOptions};
 use testkit::scenes;
@@ -78,7 +78,7 @@ fn ours(devices: &[Device; 2], threads: usize, progress: &Progress) -> anyhow::R
     let [a, b] = [grid::snap_device(&steps, &devices[0], None)?, grid::snap_device(&steps, &devices[1], None)?];
     let timed = |strips: usize| {
         progress.step(format!("phidl, {strips} strips"));
-        let run = RunOptions { division: Division::Strips(strips), threads: Some(threads), watch: None };
+        let run = RunOptions { strips: StripCount::Fixed(strips), threads: Some(threads), monitor: None };
         Ok((strips, best(|| grid::boolean(&a, &b, Operation::Not, &run))?))
     };
     STRIPS.into_iter().map(timed).collect()

@@ -1,62 +1,62 @@
-//! Which placements come near each other or near an outline, and have to be seen together.
+//! Interaction clusters: placements within the interaction distance of each other.
 
 use rstar::{
     AABB, RTree,
     primitives::{GeomWithData, Rectangle},
 };
 
-use super::item::{Bounds, Item, Pile};
+use super::placement::{Bounds, FlatGeometry, Placement};
 use crate::point::GridPoint;
 
-/// An outline of more points counts as its box: looking at all its edges for each placement inside would cost more than
-/// is gained.
+/// An outline of more points counts as its box: a test of all its edges for each placement inside would cost more than
+/// it saves.
 const MOST_POINTS: usize = 2_000;
 
-/// Placements that are near each other, directly or through others.
+/// Placements that interact, directly or through others.
 #[derive(Debug)]
-pub(super) struct Cluster {
+pub(super) struct InteractionCluster {
     /// Ascending.
     pub(super) members: Vec<usize>,
-    /// Whether an outline of the pile is near.
+    /// Whether an outline of the flat geometry is within the interaction distance.
     pub(super) is_blocked: bool,
 }
 
 type Entry = GeomWithData<Rectangle<[f64; 2]>, usize>;
 
-/// The clusters of placements, in the order of their first members. Things are near each other if boxes grown by
-/// `margin` steps meet.
-pub(super) fn clusters(items: &[Item], pile: &Pile, margin: f64) -> Vec<Cluster> {
-    let boxes: Vec<Bounds> = items.iter().map(|item| item.bounds.grown(margin)).collect();
+/// The clusters of placements, in the order of their first members. Placements and outlines interact if their boxes, each
+/// grown by `distance` steps, touch.
+pub(super) fn clusters(placements: &[Placement], flat: &FlatGeometry, distance: f64) -> Vec<InteractionCluster> {
+    let boxes: Vec<Bounds> = placements.iter().map(|placement| placement.bounds.grown(distance)).collect();
     let entry = |(i, b): (usize, &Bounds)| Entry::new(Rectangle::from_corners(b.low, b.high), i);
     let tree = RTree::bulk_load(boxes.iter().enumerate().map(entry).collect());
     let near = |b: &Bounds| {
         tree.locate_in_envelope_intersecting(&AABB::from_corners(b.low, b.high)).map(|entry: &Entry| entry.data)
     };
-    let mut groups = Groups::new(items.len());
+    let mut groups = Groups::new(placements.len());
     for (i, b) in boxes.iter().enumerate() {
         near(b).for_each(|other| groups.join(i, other));
     }
-    let mut blocked = vec![false; items.len()];
-    for outline in pile.sides.iter().flat_map(|contours| contours.iter()) {
+    let mut blocked = vec![false; placements.len()];
+    for outline in flat.sides.iter().flat_map(|contours| contours.iter()) {
         let Some(around) = around(outline) else { continue };
-        for i in near(&around.grown(margin)) {
+        for i in near(&around.grown(distance)) {
             let group = groups.find(i);
-            blocked[group] = blocked[group] || reaches(outline, boxes[i].grown(margin));
+            blocked[group] = blocked[group] || reaches(outline, boxes[i].grown(distance));
         }
     }
     gathered(groups, &blocked)
 }
 
-fn gathered(mut groups: Groups, blocked: &[bool]) -> Vec<Cluster> {
-    let mut places = vec![usize::MAX; blocked.len()];
-    let mut clusters: Vec<Cluster> = Vec::new();
+fn gathered(mut groups: Groups, blocked: &[bool]) -> Vec<InteractionCluster> {
+    let mut indices = vec![usize::MAX; blocked.len()];
+    let mut clusters: Vec<InteractionCluster> = Vec::new();
     for i in 0..blocked.len() {
         let group = groups.find(i);
-        if places[group] == usize::MAX {
-            places[group] = clusters.len();
-            clusters.push(Cluster { members: Vec::new(), is_blocked: blocked[group] });
+        if indices[group] == usize::MAX {
+            indices[group] = clusters.len();
+            clusters.push(InteractionCluster { members: Vec::new(), is_blocked: blocked[group] });
         }
-        clusters[places[group]].members.push(i);
+        clusters[indices[group]].members.push(i);
     }
     clusters
 }
@@ -71,7 +71,7 @@ fn around(outline: &[GridPoint]) -> Option<Bounds> {
     points.reduce(Bounds::around)
 }
 
-/// Whether an outline runs through a box or lies around it.
+/// Whether an outline runs through a box or encloses it.
 fn reaches(outline: &[GridPoint], within: Bounds) -> bool {
     if outline.len() > MOST_POINTS {
         return true;
@@ -82,8 +82,8 @@ fn reaches(outline: &[GridPoint], within: Bounds) -> bool {
 
 /// Whether an edge has a point in a box.
 fn crosses(a: [f64; 2], b: [f64; 2], within: Bounds) -> bool {
-    let apart = |i: usize| a[i].max(b[i]) < within.low[i] || a[i].min(b[i]) > within.high[i];
-    if apart(0) || apart(1) {
+    let beside = |i: usize| a[i].max(b[i]) < within.low[i] || a[i].min(b[i]) > within.high[i];
+    if beside(0) || beside(1) {
         return false;
     }
     let side = |x: f64, y: f64| (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
@@ -92,7 +92,7 @@ fn crosses(a: [f64; 2], b: [f64; 2], within: Bounds) -> bool {
     !(sides.iter().all(|&s| s > 0.0) || sides.iter().all(|&s| s < 0.0))
 }
 
-/// How often edges wind around a point that is on none of them.
+/// The winding number of edges around a point that is on none of them.
 fn winding(edges: impl Iterator<Item = ([f64; 2], [f64; 2])>, p: [f64; 2]) -> i32 {
     let crossing = |(a, b): ([f64; 2], [f64; 2])| {
         let left = (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]) > 0.0;
@@ -132,7 +132,7 @@ mod tests {
     }
 
     #[test]
-    fn a_frame_reaches_what_it_touches_and_not_what_stands_in_its_opening() {
+    fn a_frame_reaches_boxes_that_it_touches_but_not_those_inside_its_opening() {
         let keyholed = outline(&[
             (0, 0),
             (100, 0),

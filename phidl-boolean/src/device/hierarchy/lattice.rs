@@ -1,10 +1,10 @@
-//! Places on the grid gathered into arrays.
+//! Positions on the grid, gathered into arrays.
 
 use std::collections::BTreeMap;
 
 use crate::point::GridPoint;
 
-/// Regular places: `columns` × `rows` of them, with their steps.
+/// Regular positions: `columns` × `rows`, with their steps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Lattice {
     pub(super) at: GridPoint,
@@ -20,11 +20,11 @@ impl Lattice {
     }
 }
 
-/// All places, each once, in upright arrays as far as they are regular: first rows, then equal rows over each other.
-pub(super) fn gathered(mut places: Vec<GridPoint>) -> Vec<Lattice> {
-    places.sort_unstable_by_key(|p| (p.y, p.x));
+/// All positions, each once, in axis-parallel arrays as far as they are regular: first rows, then stacks of equal rows.
+pub(super) fn gathered(mut positions: Vec<GridPoint>) -> Vec<Lattice> {
+    positions.sort_unstable_by_key(|p| (p.y, p.x));
     let mut rows: BTreeMap<(i64, u32, i64), Vec<i64>> = BTreeMap::new();
-    let mut rest = &places[..];
+    let mut rest = &positions[..];
     while let [first, ..] = rest {
         let line = rest.iter().take_while(|p| p.y == first.y).map(|p| p.x);
         let (count, step) = leading_run(line);
@@ -48,8 +48,8 @@ fn stacked((x, columns, step): (i64, u32, i64), mut heights: &[i64]) -> Vec<Latt
     lattices
 }
 
-/// How many numbers follow at the distance of the first two, and that distance. A pair alone is no run: its second
-/// number may begin a longer one.
+/// The length of the leading arithmetic sequence and its step. A pair is no sequence: its second number may begin a longer
+/// one.
 fn leading_run(mut numbers: impl Iterator<Item = i64>) -> (u32, i64) {
     let (Some(first), Some(second)) = (numbers.next(), numbers.next()) else { return (1, 0) };
     let step = second - first;
@@ -74,8 +74,8 @@ mod tests {
     #[test]
     fn a_field_with_a_gap_becomes_few_arrays() {
         let field = (0..30).flat_map(|x| (0..20).map(move |y| (7 * x, 9 * y)));
-        let places: Vec<GridPoint> = field.filter(|&p| p != (70, 90)).map(GridPoint::from).collect();
-        let lattices = gathered(places);
+        let positions: Vec<GridPoint> = field.filter(|&p| p != (70, 90)).map(GridPoint::from).collect();
+        let lattices = gathered(positions);
         assert_eq!(lattices.len(), 4);
         assert!(lattices.contains(&Lattice {
             at: GridPoint::new(0, 0),
@@ -88,14 +88,14 @@ mod tests {
 
     proptest! {
         #[test]
-        fn every_place_is_in_one_array(places in prop::collection::btree_set((0..12i64, 0..12i64), 0..80)) {
-            let places: Vec<GridPoint> = places.into_iter().map(GridPoint::from).collect();
-            let mut again: Vec<GridPoint> = gathered(places.clone()).iter().flat_map(|l| {
+        fn every_position_is_in_one_array(positions in prop::collection::btree_set((0..12i64, 0..12i64), 0..80)) {
+            let positions: Vec<GridPoint> = positions.into_iter().map(GridPoint::from).collect();
+            let mut again: Vec<GridPoint> = gathered(positions.clone()).iter().flat_map(|l| {
                 let cells = (0..i64::from(l.columns)).flat_map(|c| (0..i64::from(l.rows)).map(move |r| (c, r)));
                 cells.map(|(c, r)| GridPoint::new(l.at.x + c * l.column_step.x, l.at.y + r * l.row_step.y)).collect::<Vec<_>>()
             }).collect();
             again.sort_unstable();
-            prop_assert_eq!(again, places);
+            prop_assert_eq!(again, positions);
         }
     }
 }

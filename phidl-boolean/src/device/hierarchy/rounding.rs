@@ -1,8 +1,8 @@
 //! Which shifts of a cell round exactly like the cell itself.
 //!
-//! A shift by whole steps and rounding may be exchanged, with two exceptions: halves go away from zero, so that they
-//! round the other way on the other side of it; and doubles are noisy, so that two places are the same shift of each
-//! other only up to their last digits. [`Rounding`] says how close a cell comes to either.
+//! A shift by whole steps commutes with rounding, with two exceptions: halves round away from zero, so their direction
+//! differs on the two sides of it; and doubles are inexact, so two positions are shifts of each other only up to their last
+//! digits. [`Rounding`] measures how close a cell comes to either.
 
 use std::collections::HashSet;
 
@@ -10,40 +10,40 @@ use phidl_core::geom::{Matrix, Transform};
 use phidl_core::num::grid::Grid;
 use phidl_core::scene::Device;
 
-use super::item::Item;
+use super::placement::Placement;
 
-/// The grid takes noise below half of 2⁻²⁰ of a step off before it rounds.
+/// The grid removes noise below half of 2⁻²⁰ of a step before it rounds.
 const QUIET: f64 = 1.0 / 2_097_152.0;
 
-/// So close to a half step a coordinate is one, whatever noise is added that is smaller again.
+/// Coordinates this close to a half step count as half steps, for all smaller noise.
 const HALF: f64 = QUIET / 2.0;
 
-/// Share of a coordinate that composing transforms and applying them may add: some units in the last place.
+/// Relative error of composed and applied transforms: some units in the last place.
 const NOISE: f64 = 1.0 / 1_125_899_906_842_624.0;
 
-/// Parts of a step in which a place that has been looked at already is remembered.
+/// Fractions of a step in which visited positions are remembered.
 const PARTS: f64 = 16_777_216.0;
 
-/// How the coordinates of placed cells lie between grid points.
+/// The distances of the coordinates of placed cells from half steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Rounding {
-    /// Distance of the others from where they would round differently (steps).
+    /// Distance of the other coordinates from where they would round differently (steps).
     clearance: f64,
     /// Whether there are coordinates at half steps, along each axis.
     has_halves: [bool; 2],
 }
 
 impl Rounding {
-    /// Of all that some items draw; of arrays, the first elements.
-    pub(super) fn of(items: &[Item], grid: &Grid) -> Self {
+    /// Of all polygons of some placements; of arrays, the first elements.
+    pub(super) fn of(placements: &[Placement], grid: &Grid) -> Self {
         let mut survey =
             Survey { grid, rounding: Self { clearance: 0.5, has_halves: [false; 2] }, seen: HashSet::new() };
-        items.iter().for_each(|item| survey.visit(&item.cell, &item.transform));
+        placements.iter().for_each(|placement| survey.visit(&placement.cell, &placement.transform));
         survey.rounding
     }
 
-    /// Whether a shift that is off by `error` steps, of coordinates up to `reach`, rounds alike; `sides` tells on which
-    /// side of zero the two places are.
+    /// Whether a shift with an error of `error` steps, of coordinates up to `reach`, rounds alike; `sides` are the sides of
+    /// zero of the two positions.
     pub(super) fn allows(&self, error: f64, reach: f64, sides: [[i8; 2]; 2]) -> bool {
         let noise = error + reach * NOISE + 1.0 / PARTS;
         let keeps_halves =
@@ -61,7 +61,7 @@ impl Rounding {
     }
 }
 
-/// A walk that looks at every cell once for each way it lies on the grid.
+/// A traversal that visits every cell once for each matrix and fraction of a step.
 struct Survey<'a> {
     grid: &'a Grid,
     rounding: Rounding,
@@ -80,11 +80,11 @@ impl Survey<'_> {
             self.rounding.add(1, p.y / self.grid.step());
         }
         for reference in cell.references() {
-            reference.elements().for_each(|place| self.visit(reference.device(), &place.then(transform)));
+            reference.elements().for_each(|element| self.visit(reference.device(), &element.then(transform)));
         }
     }
 
-    /// Where between grid points a place lies, in parts of a step.
+    /// The position between grid points, in fractions of a step.
     #[expect(clippy::cast_possible_truncation, reason = "parts of one step")]
     fn part(&self, transform: &Transform) -> [i64; 2] {
         let part = |um: f64| ((um / self.grid.step()).rem_euclid(1.0) * PARTS).round() as i64;
@@ -92,7 +92,7 @@ impl Survey<'_> {
     }
 }
 
-/// What tells two matrices apart, the shift not counted.
+/// The identity of a matrix, without its shift.
 fn bits(matrix: &Matrix) -> [u64; 4] {
     [matrix.a, matrix.b, matrix.c, matrix.d].map(f64::to_bits)
 }

@@ -1,9 +1,9 @@
-//! Chords that cut a polygon with holes into mountains.
+//! Diagonals that cut a polygon with holes into monotone mountains.
 //!
 //! A sweep from left to right cuts the inside into trapezoids by a vertical line through each corner. Each trapezoid has
-//! one corner that began it and one that ends it; the line between the two lies inside the trapezoid, so these chords
-//! cross nothing (Fournier and Montuno 1984). The chord that ends at the leftmost corner of a hole connects the hole
-//! with something further left: followed from hole to hole, with the outline. Those chords are the seams.
+//! one corner where it begins and one where it ends. The line between the two lies inside the trapezoid, so these diagonals
+//! cross nothing (Fournier and Montuno 1984). The diagonal that ends at the leftmost corner of a hole connects the hole
+//! with a ring further left, and over further holes with the outer ring. Those diagonals are the bridges.
 
 use std::cmp::Ordering;
 
@@ -13,11 +13,11 @@ use crate::point::{GridPoint, side};
 
 /// A line inside a polygon between two of its corners, from the left one to the right one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Chord {
+pub(super) struct Diagonal {
     pub(super) from: GridPoint,
     pub(super) to: GridPoint,
-    /// Connects a hole with the outline; no piece may reach over it.
-    pub(super) is_seam: bool,
+    /// Connects a hole with the outer ring; no part may reach over it.
+    pub(super) is_bridge: bool,
 }
 
 /// An edge from left to right.
@@ -29,7 +29,7 @@ struct Side {
 }
 
 impl Side {
-    /// A corner may also touch a side from outside, in the middle of it; a ceiling is then below the corner.
+    /// A corner may also touch a side from outside, in its interior; a ceiling is then below the corner.
     fn is_below(&self, corner: GridPoint) -> bool {
         match side(self.l, self.r, corner) {
             Ordering::Greater => true,
@@ -41,15 +41,15 @@ impl Side {
 
 struct Sweep {
     sides: Vec<Side>,
-    /// For each floor: the corner that began the trapezoid over it.
+    /// For each floor: the corner where the trapezoid over it begins.
     begun: Vec<GridPoint>,
-    /// The sides over the present corner, from bottom to top.
+    /// The sides over the current corner, from bottom to top.
     active: Vec<usize>,
-    chords: Vec<Chord>,
+    diagonals: Vec<Diagonal>,
 }
 
-/// All chords of one polygon, given as its outer outline (counter-clockwise) and its holes (clockwise).
-pub(super) fn chords(outlines: &[&[GridPoint]]) -> Vec<Chord> {
+/// All diagonals of one polygon, given as its outer ring (counter-clockwise) and its holes (clockwise).
+pub(super) fn diagonals(outlines: &[&[GridPoint]]) -> Vec<Diagonal> {
     let mut sides: Vec<Side> = outlines.iter().flat_map(|outline| outline_sides(outline)).collect();
     sides.par_sort_unstable_by(|a, b| a.l.cmp(&b.l).then_with(|| side(a.l, b.r, a.r)));
     let mut corners: Vec<GridPoint> = outlines.concat();
@@ -59,14 +59,14 @@ pub(super) fn chords(outlines: &[&[GridPoint]]) -> Vec<Chord> {
     hole_starts.sort_unstable();
 
     let begun = sides.iter().map(|side| side.l).collect();
-    let mut sweep = Sweep { sides, begun, active: Vec::new(), chords: Vec::new() };
+    let mut sweep = Sweep { sides, begun, active: Vec::new(), diagonals: Vec::new() };
     let mut first = 0;
     for corner in corners {
         let end = first + sweep.sides[first..].iter().take_while(|side| side.l == corner).count();
         sweep.visit(corner, first..end, hole_starts.binary_search(&corner).is_ok());
         first = end;
     }
-    sweep.chords
+    sweep.diagonals
 }
 
 fn outline_sides(outline: &[GridPoint]) -> impl Iterator<Item = Side> {
@@ -92,14 +92,14 @@ impl Sweep {
         self.active.splice(low..low + ending, beginning);
     }
 
-    fn end_trapezoid(&mut self, position: usize, corner: GridPoint, is_seam: bool) {
+    fn end_trapezoid(&mut self, position: usize, corner: GridPoint, is_bridge: bool) {
         let floor = self.active[position];
         let from = self.begun[floor];
-        // A trapezoid that began and ends on the same side has that side, not a chord, between its two corners.
+        // A trapezoid that began and ends on the same side has that side, not a diagonal, between its two corners.
         let is_side = |s: usize| self.sides[s].l == from && self.sides[s].r == corner;
-        let is_chord = !is_side(floor) && !self.active.get(position + 1).is_some_and(|&above| is_side(above));
-        if self.sides[floor].is_floor && is_chord {
-            self.chords.push(Chord { from, to: corner, is_seam });
+        let is_diagonal = !is_side(floor) && !self.active.get(position + 1).is_some_and(|&above| is_side(above));
+        if self.sides[floor].is_floor && is_diagonal {
+            self.diagonals.push(Diagonal { from, to: corner, is_bridge });
         }
     }
 }

@@ -1,39 +1,39 @@
-//! Joins triangles to pieces of at most so many points.
+//! Joins triangles to parts with a limited number of points.
 
-use super::{chords::Chord, triangles::Triangle};
+use super::{diagonals::Diagonal, triangulate::Triangle};
 use crate::{contours::Contours, point::GridPoint};
 
 const NONE: usize = usize::MAX;
 
-/// The triangles as a forest: what each is reached from, and over which of its edges.
+/// The triangles as a forest.
 struct Forest<'a> {
     triangles: &'a [Triangle],
-    /// The triangle across each edge; none across outlines and seams.
+    /// The triangle across each edge; none across rings and bridges.
     across: Vec<[usize; 3]>,
     parent: Vec<usize>,
     /// Each triangle after its parent.
     order: Vec<usize>,
 }
 
-/// Joins triangles to as few pieces as a greedy walk finds.
-pub(super) fn pieces(triangles: &[Triangle], chords: &[Chord], max_points: usize) -> Contours {
-    let mut forest = Forest::new(triangles, chords);
+/// Joins triangles to few parts, by a greedy walk.
+pub(super) fn parts(triangles: &[Triangle], diagonals: &[Diagonal], max_points: usize) -> Contours {
+    let mut forest = Forest::new(triangles, diagonals);
     forest.cut(max_points - 2);
-    let mut pieces = Contours::new();
+    let mut parts = Contours::new();
     let mut outline = Vec::new();
     for &root in &forest.order {
         if forest.parent[root] == NONE {
             outline.clear();
             forest.walk_around(root, &mut outline);
-            pieces.push(outline.iter().copied());
+            parts.push(outline.iter().copied());
         }
     }
-    pieces
+    parts
 }
 
 impl<'a> Forest<'a> {
-    fn new(triangles: &'a [Triangle], chords: &[Chord]) -> Self {
-        let across = neighbors(triangles, chords);
+    fn new(triangles: &'a [Triangle], diagonals: &[Diagonal]) -> Self {
+        let across = neighbors(triangles, diagonals);
         let mut forest = Self { triangles, across, parent: vec![NONE; triangles.len()], order: Vec::new() };
         let mut is_reached = vec![false; triangles.len()];
         let mut stack = Vec::new();
@@ -94,7 +94,7 @@ impl<'a> Forest<'a> {
 }
 
 /// The triangle across each edge of each triangle.
-fn neighbors(triangles: &[Triangle], chords: &[Chord]) -> Vec<[usize; 3]> {
+fn neighbors(triangles: &[Triangle], diagonals: &[Diagonal]) -> Vec<[usize; 3]> {
     let mut edges: Vec<(GridPoint, GridPoint, usize, usize)> = Vec::with_capacity(3 * triangles.len());
     for (number, triangle) in triangles.iter().enumerate() {
         for edge in 0..3 {
@@ -102,13 +102,14 @@ fn neighbors(triangles: &[Triangle], chords: &[Chord]) -> Vec<[usize; 3]> {
         }
     }
     edges.sort_unstable();
-    let mut seams: Vec<(GridPoint, GridPoint)> = chords.iter().filter(|c| c.is_seam).map(|c| (c.from, c.to)).collect();
-    seams.sort_unstable();
+    let mut bridges: Vec<(GridPoint, GridPoint)> =
+        diagonals.iter().filter(|c| c.is_bridge).map(|c| (c.from, c.to)).collect();
+    bridges.sort_unstable();
 
     let mut across = vec![[NONE; 3]; triangles.len()];
     for &(from, to, number, edge) in &edges {
         let twin = edges.partition_point(|other| (other.0, other.1) < (to, from));
-        let is_open = seams.binary_search(&(from.min(to), from.max(to))).is_err();
+        let is_open = bridges.binary_search(&(from.min(to), from.max(to))).is_err();
         if let Some(&(a, b, other, _)) = edges.get(twin)
             && (a, b) == (to, from)
             && is_open

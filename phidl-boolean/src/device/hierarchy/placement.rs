@@ -1,4 +1,4 @@
-//! [`Item`]: a placement of a cell, or an array of placements, where it ends up; [`Pile`]: what is drawn on its own.
+//! [`Placement`]: a placed cell or array in top-level coordinates; [`FlatGeometry`]: the outlines of opened cells.
 
 use phidl_core::geom::{Point, Rect, Transform};
 use phidl_core::num::grid::Grid;
@@ -6,7 +6,7 @@ use phidl_core::scene::{Device, Reference};
 
 use crate::{contours::Contours, error::BooleanError, grid::off_grid, point::GridPoint};
 
-/// A box in grid steps, around what may be drawn before it is rounded.
+/// A box in grid steps, before rounding.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Bounds {
     pub(super) low: [f64; 2],
@@ -19,7 +19,7 @@ impl Bounds {
         Self { low: steps(rect.min), high: steps(rect.max) }
     }
 
-    /// Around a cell and what it places; `None` if nothing is drawn.
+    /// Around a placed cell and the cells below it; `None` without polygons.
     fn of_cell(cell: &Device, transform: &Transform, grid: &Grid) -> Option<Self> {
         use phidl_core::place::Bounded;
         let turned = || Rect::around(cell.hull().iter().map(|&p| transform.apply(p)));
@@ -51,18 +51,18 @@ impl Bounds {
         self.low.into_iter().chain(self.high).map(f64::abs).fold(0.0, f64::max)
     }
 
-    /// On which side of zero the box lies along each axis, with a step to spare: −1 or 1, or 0 if zero is inside.
+    /// The side of zero of the box along each axis, with a margin of one step: −1 or 1, or 0 if zero is inside.
     pub(super) fn sides(self) -> [i8; 2] {
         let side = |i: usize| i8::from(self.low[i] > 1.0) - i8::from(self.high[i] < -1.0);
         [side(0), side(1)]
     }
 }
 
-/// An array that has not been taken apart.
+/// The elements of an array that has not been opened.
 #[derive(Debug)]
 struct Elements {
     reference: Reference,
-    /// Where the cell with the array ends up.
+    /// The transform of the cell with the array.
     parent: Transform,
     /// From the first element to the next column and the next row (steps).
     steps: [[f64; 2]; 2],
@@ -70,19 +70,19 @@ struct Elements {
 
 /// A placement of a cell in one of the operands.
 #[derive(Debug)]
-pub(super) struct Item {
+pub(super) struct Placement {
     /// Operand 0 or 1.
     pub(super) side: usize,
     pub(super) cell: Device,
-    /// Where it ends up; of an array, the first element.
+    /// The transform of the cell; of an array, of the first element.
     pub(super) transform: Transform,
     /// Around all elements.
     pub(super) bounds: Bounds,
     elements: Option<Box<Elements>>,
 }
 
-impl Item {
-    /// What a reference of a cell places; `None` if nothing is drawn.
+impl Placement {
+    /// The placement of a reference of a cell; `None` without polygons.
     fn new(side: usize, reference: &Reference, parent: &Transform, grid: &Grid) -> Option<Self> {
         let cell = reference.device();
         let transform = reference.element(0, 0).then(parent);
@@ -109,8 +109,8 @@ impl Item {
         Some(([array.columns, array.rows], elements.steps))
     }
 
-    /// The place of the cell in grid steps; of an array, of its first element.
-    pub(super) fn place(&self, grid: &Grid) -> [f64; 2] {
+    /// The position of the cell in grid steps; of an array, of its first element.
+    pub(super) fn position(&self, grid: &Grid) -> [f64; 2] {
         [self.transform.origin.x / grid.step(), self.transform.origin.y / grid.step()]
     }
 
@@ -120,43 +120,49 @@ impl Item {
         Some(Self { cell: self.cell.clone(), bounds, elements: None, ..*self })
     }
 
-    /// Takes an array apart into its elements, and a placement into what its cell draws and places.
-    pub(super) fn open(self, grid: &Grid, items: &mut Vec<Self>, pile: &mut Pile) -> Result<(), BooleanError> {
+    /// Replaces an array by its elements, and a placement by the outlines and placements of its cell.
+    pub(super) fn open(
+        self,
+        grid: &Grid,
+        placements: &mut Vec<Self>,
+        flat: &mut FlatGeometry,
+    ) -> Result<(), BooleanError> {
         match &self.elements {
             Some(elements) => {
-                items.extend(elements.reference.elements().filter_map(|place| {
-                    let transform = place.then(&elements.parent);
+                placements.extend(elements.reference.elements().filter_map(|element| {
+                    let transform = element.then(&elements.parent);
                     let bounds = Bounds::of_cell(&self.cell, &transform, grid)?;
                     Some(Self { cell: self.cell.clone(), transform, bounds, elements: None, ..self })
                 }));
                 Ok(())
             }
-            None => open_cell(&self.cell, self.side, &self.transform, grid, items, pile),
+            None => open_cell(&self.cell, self.side, &self.transform, grid, placements, flat),
         }
     }
 }
 
-/// What a cell draws goes to the pile, and what it places to the items.
+/// Adds the outlines of a cell to the flat geometry, and its references to the placements.
 pub(super) fn open_cell(
     cell: &Device,
     side: usize,
     transform: &Transform,
     grid: &Grid,
-    items: &mut Vec<Item>,
-    pile: &mut Pile,
+    placements: &mut Vec<Placement>,
+    flat: &mut FlatGeometry,
 ) -> Result<(), BooleanError> {
-    pile.draw(side, cell, transform, grid)?;
-    items.extend(cell.references().iter().filter_map(|reference| Item::new(side, reference, transform, grid)));
+    flat.draw(side, cell, transform, grid)?;
+    placements
+        .extend(cell.references().iter().filter_map(|reference| Placement::new(side, reference, transform, grid)));
     Ok(())
 }
 
-/// Outlines of both operands on the grid that belong to no item any more.
+/// Outlines of both operands on the grid that belong to no placement.
 #[derive(Debug, Default)]
-pub(super) struct Pile {
+pub(super) struct FlatGeometry {
     pub(super) sides: [Contours; 2],
 }
 
-impl Pile {
+impl FlatGeometry {
     fn draw(&mut self, side: usize, cell: &Device, transform: &Transform, grid: &Grid) -> Result<(), BooleanError> {
         let matrix = transform.matrix();
         for (shape, polygon) in cell.polygons().enumerate() {
@@ -172,12 +178,12 @@ impl Pile {
         Ok(())
     }
 
-    /// The outlines as seen from a point.
-    pub(super) fn seen_from(&self, origin: GridPoint) -> [Contours; 2] {
+    /// The outlines relative to a point.
+    pub(super) fn relative_to(&self, origin: GridPoint) -> [Contours; 2] {
         let moved = |contours: &Contours| {
-            let seen = |p: &GridPoint| GridPoint::new(p.x - origin.x, p.y - origin.y);
+            let moved_point = |p: &GridPoint| GridPoint::new(p.x - origin.x, p.y - origin.y);
             let mut all = Contours::with_capacity(contours.len(), contours.point_count());
-            contours.iter().for_each(|contour| all.push(contour.iter().map(seen)));
+            contours.iter().for_each(|contour| all.push(contour.iter().map(moved_point)));
             all
         };
         self.sides.each_ref().map(moved)

@@ -1,14 +1,14 @@
-//! The faces into which chords divide a polygon.
+//! The faces into which diagonals divide a polygon.
 //!
-//! Each edge of an outline is a half-edge with the polygon on its left, each chord is two. Around a face, a half-edge is
-//! followed by the next one clockwise from the way back. Half-edges are sorted by where they start, and each knows one
-//! that starts where it ends, so no step has to search.
+//! Each edge of a ring is a half-edge with the polygon on its left, each diagonal is two. Around a face, a half-edge is
+//! followed by the next one clockwise from its twin. Half-edges are sorted by their start, and each knows one that starts
+//! at its end, so no step needs a search.
 
 use std::cmp::Ordering;
 
 use rayon::prelude::*;
 
-use super::chords::Chord;
+use super::diagonals::Diagonal;
 use crate::point::{GridPoint, side};
 
 /// An edge of a face, with the face on its left.
@@ -25,23 +25,23 @@ struct Half {
 /// Calls `visit` with the corners of each face, counter-clockwise.
 pub(super) fn for_each_face<'a>(
     outlines: &[&[GridPoint]],
-    chords: impl Iterator<Item = &'a Chord>,
+    diagonals: impl Iterator<Item = &'a Diagonal>,
     mut visit: impl FnMut(&[GridPoint]),
 ) {
-    let halves = sorted_halves(outlines, chords);
-    let mut places = vec![0; halves.len()];
-    for (place, half) in halves.iter().enumerate() {
-        places[half.number as usize] = place;
+    let halves = sorted_halves(outlines, diagonals);
+    let mut indices = vec![0; halves.len()];
+    for (index, half) in halves.iter().enumerate() {
+        indices[half.number as usize] = index;
     }
     let mut is_done = vec![false; halves.len()];
     let mut face = Vec::new();
     for first in 0..halves.len() {
         face.clear();
-        let mut place = first;
-        while !is_done[place] {
-            is_done[place] = true;
-            face.push(halves[place].from);
-            place = following(&halves, halves[place], places[halves[place].next as usize]);
+        let mut index = first;
+        while !is_done[index] {
+            is_done[index] = true;
+            face.push(halves[index].from);
+            index = following(&halves, halves[index], indices[halves[index].next as usize]);
         }
         if !face.is_empty() {
             visit(&face);
@@ -52,9 +52,9 @@ pub(super) fn for_each_face<'a>(
 /// All half-edges by their start, and around it counter-clockwise.
 #[expect(
     clippy::cast_possible_truncation,
-    reason = "a region has fewer than 2^31 edges, and less than two chords each"
+    reason = "a region has fewer than 2^31 edges, and less than two diagonals each"
 )]
-fn sorted_halves<'a>(outlines: &[&[GridPoint]], chords: impl Iterator<Item = &'a Chord>) -> Vec<Half> {
+fn sorted_halves<'a>(outlines: &[&[GridPoint]], diagonals: impl Iterator<Item = &'a Diagonal>) -> Vec<Half> {
     let mut halves: Vec<Half> = Vec::new();
     for outline in outlines {
         let first = halves.len() as u32;
@@ -65,7 +65,7 @@ fn sorted_halves<'a>(outlines: &[&[GridPoint]], chords: impl Iterator<Item = &'a
             last.next = first;
         }
     }
-    for &Chord { from, to, .. } in chords {
+    for &Diagonal { from, to, .. } in diagonals {
         let number = halves.len() as u32;
         halves.push(Half { from, to, number, next: number + 1 });
         halves.push(Half { from: to, to: from, number: number + 1, next: number });
@@ -80,7 +80,7 @@ fn counter_clockwise(a: &Half, b: &Half) -> Ordering {
     leads_left(a).cmp(&leads_left(b)).then_with(|| side(a.from, b.to, a.to))
 }
 
-/// The place of the half-edge that leads on around the same face; `near` is the place of one that starts there.
+/// The index of the half-edge that follows around the same face; `near` is the index of one with the same start.
 fn following(halves: &[Half], half: Half, near: usize) -> usize {
     let starts_here = |other: &&Half| other.from == half.to;
     let start = near - halves[..near].iter().rev().take_while(starts_here).count();

@@ -1,8 +1,10 @@
-//! Which contours have no edge of another one in their box?
+//! [`GridIndex`]: which contours have no edge of another contour in their bounding box?
 //!
-//! A coarse raster of about one cell for each contour: small contours are entered with their box, large ones edge by
-//! edge, and what shares a cell is compared box by box. Places that are too crowded to compare count as touched, and so
-//! do large contours.
+//! A uniform grid has about one cell per contour. Small contours are entered by their box, large ones edge by edge, and
+//! entries of one cell are compared box by box. Contours in crowded cells count as touched, and so do large contours.
+//!
+//! The candidate search of [`snap`](crate::engine::snap) is not used here: it looks at every segment, and a field of dots
+//! is decided by one box per contour.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -19,7 +21,7 @@ const MOST_ENTRIES: usize = 48;
 /// The search is given up if there are more entries than this for each edge: many long lines.
 const ENTRIES_PER_EDGE: usize = 4;
 
-/// Sides of the raster are at most this many cells.
+/// The grid has at most this many cells along each side.
 const MOST_COLUMNS: f64 = 4096.0;
 
 /// Cells compared by one parallel job at least.
@@ -67,29 +69,29 @@ struct Item {
     is_small: bool,
 }
 
-/// Whether each contour is known to have no edge of another one in its box.
-pub(super) fn untouched<T: Sync>(contours: &[(&[GridPoint], T)]) -> Vec<bool> {
+/// Whether each contour is known to have no edge of another one in its bounding box.
+pub(super) fn without_neighbors<T: Sync>(contours: &[(&[GridPoint], T)]) -> Vec<bool> {
     let boxes: Vec<Box2> =
         contours.par_iter().with_min_len(CELLS_PER_JOB).map(|(points, _)| Box2::around(points)).collect();
     let whole = boxes.iter().fold(Box2::NOWHERE, |all, &b| all.joined(b));
     if whole.is_empty() {
         return vec![false; contours.len()];
     }
-    let raster = Raster::new(whole, contours.len());
+    let grid = GridIndex::new(whole, contours.len());
     let mut items = Vec::with_capacity(contours.len());
     let mut is_small = vec![false; contours.len()];
     for (contour, ((points, _), &bounds)) in (0u32..).zip(contours.iter().zip(&boxes)) {
-        let cells = raster.cells(bounds);
+        let cells = grid.cells(bounds);
         is_small[contour as usize] = !bounds.is_empty() && cells.count() <= MOST_CELLS;
         if is_small[contour as usize] {
             items.push(Item { bounds, cells, contour, is_small: true });
         } else {
-            let item = |bounds| Item { bounds, cells: raster.cells(bounds), contour, is_small: false };
+            let item = |bounds| Item { bounds, cells: grid.cells(bounds), contour, is_small: false };
             items.extend(edge_boxes(points).map(item));
         }
     }
     let most = ENTRIES_PER_EDGE * contours.iter().map(|(points, _)| points.len()).sum::<usize>().max(MOST_CELLS);
-    let Some(entries) = Entries::new(&raster, &items, most) else { return vec![false; contours.len()] };
+    let Some(entries) = Entries::new(&grid, &items, most) else { return vec![false; contours.len()] };
     let touched: Vec<AtomicBool> = is_small.iter().map(|&small| AtomicBool::new(!small)).collect();
     entries.cells().for_each(|cell| compare(cell, &items, &touched));
     touched.into_iter().map(|touched| !touched.into_inner()).collect()
@@ -99,7 +101,7 @@ fn edge_boxes(points: &[GridPoint]) -> impl Iterator<Item = Box2> {
     points.iter().zip(points.iter().cycle().skip(1)).map(|(&a, &b)| Box2::around(&[a, b]))
 }
 
-/// Marks the small contours of a cell that something else touches.
+/// Marks the small contours of a cell whose box is touched.
 fn compare(cell: &[u32], items: &[Item], touched: &[AtomicBool]) {
     let mark = |item: &Item| {
         if item.is_small {
@@ -122,8 +124,8 @@ fn compare(cell: &[u32], items: &[Item], touched: &[AtomicBool]) {
     }
 }
 
-/// The raster over the box of everything.
-struct Raster {
+/// A uniform grid over the bounding box of all contours.
+struct GridIndex {
     low: GridPoint,
     /// Cells per grid step.
     scale: (f64, f64),
@@ -131,12 +133,12 @@ struct Raster {
     rows: usize,
 }
 
-impl Raster {
+impl GridIndex {
     #[expect(
         clippy::cast_precision_loss,
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
-        reason = "an estimate of a good size; columns and rows are from 1 to 4096"
+        reason = "an estimate of the cell size; columns and rows are from 1 to 4096"
     )]
     fn new(whole: Box2, contours: usize) -> Self {
         let width = (whole.high.x - whole.low.x + 1) as f64;
@@ -157,22 +159,22 @@ impl Raster {
     }
 
     fn column(&self, x: i64) -> u16 {
-        place(x - self.low.x, self.scale.0, self.columns)
+        cell_of(x - self.low.x, self.scale.0, self.columns)
     }
 
     fn row(&self, y: i64) -> u16 {
-        place(y - self.low.y, self.scale.1, self.rows)
+        cell_of(y - self.low.y, self.scale.1, self.rows)
     }
 }
 
-/// The column or row in which an offset from the lower left corner lies; later offsets never lie in earlier ones.
+/// The column or row of an offset from the lower left corner; it never decreases as the offset grows.
 #[expect(
     clippy::cast_precision_loss,
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
-    reason = "offsets are exact in an f64, and a raster has at most 4096 columns and rows"
+    reason = "offsets are exact in an f64, and a grid has at most 4096 columns and rows"
 )]
-fn place(offset: i64, scale: f64, count: usize) -> u16 {
+fn cell_of(offset: i64, scale: f64, count: usize) -> u16 {
     ((offset as f64 * scale) as u16).min(count as u16 - 1)
 }
 
@@ -188,7 +190,7 @@ impl Cells {
         usize::from(self.columns.1 - self.columns.0 + 1) * usize::from(self.rows.1 - self.rows.0 + 1)
     }
 
-    /// Cell numbers in a raster of so many rows.
+    /// Calls `visit` with the number of each cell, in a grid with `rows` rows.
     fn for_each(self, rows: usize, mut visit: impl FnMut(usize)) {
         for column in self.columns.0..=self.columns.1 {
             for row in self.rows.0..=self.rows.1 {
@@ -206,14 +208,14 @@ struct Entries {
 
 impl Entries {
     /// `None` if there would be more than `most`.
-    fn new(raster: &Raster, items: &[Item], most: usize) -> Option<Self> {
+    fn new(grid: &GridIndex, items: &[Item], most: usize) -> Option<Self> {
         let total: usize = items.iter().map(|item| item.cells.count()).sum();
         if total > most || u32::try_from(total).is_err() {
             return None;
         }
-        let mut starts = vec![0; raster.columns * raster.rows + 1];
+        let mut starts = vec![0; grid.columns * grid.rows + 1];
         for item in items {
-            item.cells.for_each(raster.rows, |cell| starts[cell] += 1);
+            item.cells.for_each(grid.rows, |cell| starts[cell] += 1);
         }
         let mut sum = 0;
         for start in &mut starts {
@@ -222,7 +224,7 @@ impl Entries {
         }
         let mut entries = vec![0; total];
         for (number, item) in (0u32..).zip(items) {
-            item.cells.for_each(raster.rows, |cell| {
+            item.cells.for_each(grid.rows, |cell| {
                 starts[cell] -= 1;
                 entries[starts[cell] as usize] = number;
             });
@@ -246,18 +248,18 @@ mod tests {
         [(x, y), (x + side, y), (x + side, y + side), (x, y + side)].map(GridPoint::from).to_vec()
     }
 
-    fn untouched_of(contours: &[Vec<GridPoint>]) -> Vec<bool> {
+    fn isolated_of(contours: &[Vec<GridPoint>]) -> Vec<bool> {
         let contours: Vec<(&[GridPoint], ())> = contours.iter().map(|c| (c.as_slice(), ())).collect();
-        untouched(&contours)
+        without_neighbors(&contours)
     }
 
     #[test]
-    fn squares_in_a_field_are_untouched_and_neighbors_that_touch_are_not() {
+    fn squares_of_a_field_are_isolated_until_a_neighbor_touches_them() {
         let mut field: Vec<_> = (0..20).flat_map(|x| (0..20).map(move |y| square(10 * x, 10 * y, 8))).collect();
-        assert_eq!(untouched_of(&field), vec![true; 400]);
+        assert_eq!(isolated_of(&field), vec![true; 400]);
         field.push(square(198, 198, 5)); // shares a corner with the last square
-        let found = untouched_of(&field);
-        assert_eq!(found.iter().filter(|&&free| !free).count(), 2);
+        let found = isolated_of(&field);
+        assert_eq!(found.iter().filter(|&&isolated| !isolated).count(), 2);
         assert!(!found[399] && !found[400]);
     }
 
@@ -266,14 +268,14 @@ mod tests {
         let mut field: Vec<_> = (0..20).flat_map(|x| (0..20).map(move |y| square(10 * x, 10 * y, 8))).collect();
         field.push(square(-5, -5, 210));
         field.push(square(4, -100, 1000)); // its left edge runs through the first column
-        let found = untouched_of(&field);
-        assert_eq!(found.iter().filter(|&&free| free).count(), 380);
-        assert!(found[20..400].iter().all(|&free| free));
+        let found = isolated_of(&field);
+        assert_eq!(found.iter().filter(|&&isolated| isolated).count(), 380);
+        assert!(found[20..400].iter().all(|&isolated| isolated));
     }
 
     #[test]
-    fn contours_without_points_are_left_alone() {
-        assert_eq!(untouched_of(&[vec![], square(0, 0, 4), vec![]]), [false, true, false]);
-        assert_eq!(untouched_of(&[]), Vec::<bool>::new());
+    fn contours_without_points_are_skipped() {
+        assert_eq!(isolated_of(&[vec![], square(0, 0, 4), vec![]]), [false, true, false]);
+        assert_eq!(isolated_of(&[]), Vec::<bool>::new());
     }
 }

@@ -1,19 +1,21 @@
-//! Triangles of a polygon that chords have cut into mountains.
+//! Triangulation of a polygon that diagonals cut into monotone mountains.
 
-use super::{chords::Chord, faces::for_each_face};
+use super::{diagonals::Diagonal, half_edges::for_each_face};
 use crate::point::{GridPoint, cross};
 
 /// Corners counter-clockwise; edge `i` runs from corner `i` to the next.
 pub(super) type Triangle = [GridPoint; 3];
 
-/// Cuts a polygon into triangles that have all chords among their edges.
-pub(super) fn triangles(outlines: &[&[GridPoint]], chords: &[Chord]) -> Vec<Triangle> {
-    let mut triangles = Vec::with_capacity(outlines.iter().map(|outline| outline.len()).sum::<usize>() + chords.len());
-    for_each_face(outlines, chords.iter(), |face| cut_mountain(face, &mut triangles));
+/// Cuts a polygon into triangles that have all diagonals among their edges.
+pub(super) fn triangles(outlines: &[&[GridPoint]], diagonals: &[Diagonal]) -> Vec<Triangle> {
+    let mut triangles =
+        Vec::with_capacity(outlines.iter().map(|outline| outline.len()).sum::<usize>() + diagonals.len());
+    for_each_face(outlines, diagonals.iter(), |face| cut_mountain(face, &mut triangles));
     triangles
 }
 
-/// A mountain has one edge from its leftmost to its rightmost corner, so each convex corner of the chain is an ear.
+/// A monotone mountain has one edge from its leftmost to its rightmost corner, so each convex corner of the chain is an
+/// ear.
 fn cut_mountain(face: &[GridPoint], triangles: &mut Vec<Triangle>) {
     let Some(chain_start) = base_end(face) else { return };
     let mut chain: Vec<GridPoint> = Vec::with_capacity(face.len());

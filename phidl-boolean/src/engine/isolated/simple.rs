@@ -1,23 +1,25 @@
-//! Is a contour plain: would snapping leave it as it is?
+//! Simple polygons: contours that snap rounding leaves as they are.
 //!
-//! That is so if no edge of it crosses, touches or passes the square of a vertex (see [`super::snap`]) of an edge that
-//! is not its neighbor. For a convex outline, the vertices next to an edge are the nearest to it, so a look at those is
-//! enough; other outlines are looked at pair by pair if they are small.
+//! No edge of a simple polygon crosses, touches, or comes into the pixel of a vertex of an edge that is not its neighbor.
+//! For a convex contour, the vertices next to an edge are the nearest to it, so a test of those is enough. Other contours
+//! are tested pair by pair if they are small.
 
-use super::{
-    edge::Edge,
-    snap::{in_box, opposite, passes},
+use crate::{
+    engine::{
+        predicates::{crosses_pixel, have_opposite_signs, in_box},
+        segment::Segment,
+    },
+    point::{GridPoint, cross, side},
 };
-use crate::point::{GridPoint, cross, side};
 
-/// Outlines with more corners than this are only looked at if they are convex.
+/// Contours with more corners than this are only tested if they are convex.
 const MOST_PAIRWISE: usize = 40;
 
-/// Finds the corners of a plain contour, counter-clockwise from its leftmost (then lowest) point; false if it is not
-/// plain, encloses nothing, or is too much work to look at. What was in `corners` before is lost.
-pub(super) fn plain_outline(contour: &[GridPoint], corners: &mut Vec<GridPoint>) -> bool {
+/// Replaces `corners` by those of a simple polygon, counter-clockwise from its leftmost (then lowest) point. Returns false
+/// if the contour is not simple, has no area, or is too large to test.
+pub(super) fn simple_polygon(contour: &[GridPoint], corners: &mut Vec<GridPoint>) -> bool {
     corners.clear();
-    if let Some((low, high)) = upright_rectangle(contour) {
+    if let Some((low, high)) = axis_parallel_rectangle(contour) {
         corners.extend([low, GridPoint::new(high.x, low.y), high, GridPoint::new(low.x, high.y)]);
         return true;
     }
@@ -26,15 +28,15 @@ pub(super) fn plain_outline(contour: &[GridPoint], corners: &mut Vec<GridPoint>)
     }
     let first = (0..corners.len()).min_by_key(|&corner| corners[corner]).unwrap_or(0);
     corners.rotate_left(first);
-    // At the leftmost point, an outline turns the way it runs.
+    // The turn at the leftmost point is the direction of the contour.
     if side(corners[corners.len() - 1], corners[0], corners[1]).is_lt() {
         corners[1..].reverse();
     }
-    (is_convex(corners) && is_wide(corners)) || is_plain_by_pairs(corners)
+    (is_convex(corners) && is_wide(corners)) || is_simple_by_pairs(corners)
 }
 
-/// The lower left and the upper right corner of a contour that is an upright rectangle, as most shapes of layouts are.
-fn upright_rectangle(contour: &[GridPoint]) -> Option<(GridPoint, GridPoint)> {
+/// The lower left and the upper right corner of a contour that is an axis-parallel rectangle, as most shapes of layouts are.
+fn axis_parallel_rectangle(contour: &[GridPoint]) -> Option<(GridPoint, GridPoint)> {
     let &[a, b, c, d] = contour else { return None };
     let begins_along_x = a.y == b.y && b.x == c.x && c.y == d.y && d.x == a.x;
     let begins_along_y = a.x == b.x && b.y == c.y && c.x == d.x && d.y == a.y;
@@ -43,13 +45,12 @@ fn upright_rectangle(contour: &[GridPoint]) -> Option<(GridPoint, GridPoint)> {
     ((begins_along_x || begins_along_y) && encloses_something).then(|| (corner(i64::min), corner(i64::max)))
 }
 
-/// Finds the points of a contour without repeated ones and those on straight edges; false if it doubles back or has no
-/// area.
+/// Finds the points of a contour but repeated ones and those on straight edges; false if it doubles back or has no area.
 fn find_real_corners(contour: &[GridPoint], corners: &mut Vec<GridPoint>) -> bool {
     if !contour.iter().all(|&point| push(corners, point)) {
         return false;
     }
-    // The seam between end and beginning, from both sides.
+    // Where the contour closes, from both sides.
     while corners.len() > 2 && corners.last() == corners.first() {
         corners.pop();
     }
@@ -100,7 +101,7 @@ fn straightness(a: GridPoint, b: GridPoint, c: GridPoint) -> Straightness {
     if along > 0 { Straightness::Straight } else { Straightness::Back }
 }
 
-/// Whether a counter-clockwise outline only turns left, and once around.
+/// Whether a counter-clockwise contour only turns left, and once around.
 fn is_convex(corners: &[GridPoint]) -> bool {
     let n = corners.len();
     let at = |i: usize| corners[i % n];
@@ -109,7 +110,7 @@ fn is_convex(corners: &[GridPoint]) -> bool {
     turns_left && (0..n).filter(|&i| runs_right(i) != runs_right(i + 1)).count() == 2
 }
 
-/// Whether no edge of a convex outline passes the square of a vertex that is not its own.
+/// Whether no edge of a convex contour comes into the pixel of a vertex that is not its own.
 fn is_wide(corners: &[GridPoint]) -> bool {
     let n = corners.len();
     (0..n).all(|i| {
@@ -120,60 +121,60 @@ fn is_wide(corners: &[GridPoint]) -> bool {
     })
 }
 
-fn is_plain_by_pairs(corners: &[GridPoint]) -> bool {
+fn is_simple_by_pairs(corners: &[GridPoint]) -> bool {
     let n = corners.len();
     if n > MOST_PAIRWISE {
         return false;
     }
     let edge = |i: usize| {
         let (a, b) = (corners[i], corners[(i + 1) % n]);
-        Edge { l: a.min(b), r: a.max(b), delta: [0, 0] }
+        Segment { l: a.min(b), r: a.max(b), delta: [0, 0] }
     };
-    let edges: Vec<Edge> = (0..n).map(edge).collect();
+    let edges: Vec<Segment> = (0..n).map(edge).collect();
     let is_new = |j: usize| !corners[..j].contains(&corners[j]);
     (1..n).all(|j| is_new(j) && (0..j).all(|i| is_clear_of(&edges[i], &edges[j])))
 }
 
-/// Whether two edges of one outline leave each other alone; neighbors share an end.
-fn is_clear_of(e: &Edge, f: &Edge) -> bool {
-    let passes_end = |e: &Edge, p: GridPoint| p != e.l && p != e.r && in_box(e, p) && passes(e, e.cross(p));
-    let crosses = opposite(e.cross(f.l), e.cross(f.r)) && opposite(f.cross(e.l), f.cross(e.r));
-    let apart = e.l.x > f.r.x || f.l.x > e.r.x;
-    apart || !(crosses || passes_end(e, f.l) || passes_end(e, f.r) || passes_end(f, e.l) || passes_end(f, e.r))
+/// Whether two edges of one contour do not interact; neighbors share an end.
+fn is_clear_of(e: &Segment, f: &Segment) -> bool {
+    let touches_end = |e: &Segment, p: GridPoint| p != e.l && p != e.r && in_box(e, p) && crosses_pixel(e, e.cross(p));
+    let crosses = have_opposite_signs(e.cross(f.l), e.cross(f.r)) && have_opposite_signs(f.cross(e.l), f.cross(e.r));
+    let separate = e.l.x > f.r.x || f.l.x > e.r.x;
+    separate || !(crosses || touches_end(e, f.l) || touches_end(e, f.r) || touches_end(f, e.l) || touches_end(f, e.r))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn plain(points: &[(i64, i64)]) -> Option<Vec<(i64, i64)>> {
+    fn simple(points: &[(i64, i64)]) -> Option<Vec<(i64, i64)>> {
         let points: Vec<GridPoint> = points.iter().copied().map(GridPoint::from).collect();
         let mut corners = Vec::new();
-        plain_outline(&points, &mut corners).then(|| corners.iter().map(|p| (p.x, p.y)).collect())
+        simple_polygon(&points, &mut corners).then(|| corners.iter().map(|p| (p.x, p.y)).collect())
     }
 
     #[test]
-    fn outlines_are_cleaned_turned_and_begun_at_their_leftmost_point() {
+    fn contours_are_cleaned_oriented_and_begin_at_their_leftmost_point() {
         let square = vec![(0, 0), (10, 0), (10, 10), (0, 10)];
-        assert_eq!(plain(&[(10, 10), (10, 5), (10, 0), (5, 0), (0, 0), (0, 0), (0, 10), (10, 10)]), Some(square));
-        assert_eq!(plain(&[(10, 5), (10, 0), (0, 0), (0, 5)]), Some(vec![(0, 0), (10, 0), (10, 5), (0, 5)]));
+        assert_eq!(simple(&[(10, 10), (10, 5), (10, 0), (5, 0), (0, 0), (0, 0), (0, 10), (10, 10)]), Some(square));
+        assert_eq!(simple(&[(10, 5), (10, 0), (0, 0), (0, 5)]), Some(vec![(0, 0), (10, 0), (10, 5), (0, 5)]));
         let arrow = [(0, 0), (20, 10), (0, 20), (8, 10)];
-        assert_eq!(plain(&arrow), Some(arrow.to_vec()));
+        assert_eq!(simple(&arrow), Some(arrow.to_vec()));
         let mut clockwise = arrow;
         clockwise.reverse();
-        assert_eq!(plain(&clockwise), Some(arrow.to_vec()));
+        assert_eq!(simple(&clockwise), Some(arrow.to_vec()));
     }
 
     #[test]
-    fn what_crosses_touches_or_doubles_back_is_not_plain() {
-        assert_eq!(plain(&[(0, 0), (10, 10), (10, 0), (0, 8)]), None, "a figure-eight");
-        assert_eq!(plain(&[(0, 0), (10, 0), (10, 10), (5, 0), (0, 10)]), None, "a corner on an edge");
-        assert_eq!(plain(&[(0, 0), (10, 0), (10, 10), (15, 15), (10, 10), (0, 10)]), None, "a spike");
-        assert_eq!(plain(&[(0, 0), (1000, 1), (500, 1)]), None, "thinner than a step");
-        assert_eq!(plain(&[(0, 0), (10, 5), (20, 0), (20, 10), (10, 5), (0, 10)]), None, "a corner on a corner");
-        assert_eq!(plain(&[(0, 0), (5, 5), (9, 9)]), None, "no area");
-        assert_eq!(plain(&[(0, 0), (5, 0), (5, 0), (0, 0)]), None, "an upright rectangle of no height");
+    fn contours_that_cross_touch_or_double_back_are_not_simple() {
+        assert_eq!(simple(&[(0, 0), (10, 10), (10, 0), (0, 8)]), None, "a figure-eight");
+        assert_eq!(simple(&[(0, 0), (10, 0), (10, 10), (5, 0), (0, 10)]), None, "a corner on an edge");
+        assert_eq!(simple(&[(0, 0), (10, 0), (10, 10), (15, 15), (10, 10), (0, 10)]), None, "a spike");
+        assert_eq!(simple(&[(0, 0), (1000, 1), (500, 1)]), None, "thinner than a step");
+        assert_eq!(simple(&[(0, 0), (10, 5), (20, 0), (20, 10), (10, 5), (0, 10)]), None, "a corner on a corner");
+        assert_eq!(simple(&[(0, 0), (5, 5), (9, 9)]), None, "no area");
+        assert_eq!(simple(&[(0, 0), (5, 0), (5, 0), (0, 0)]), None, "a rectangle of no height");
         let pentagram = [(0, 20), (60, 20), (10, 60), (30, 0), (50, 60)];
-        assert_eq!(plain(&pentagram), None, "it turns left everywhere, but twice around");
+        assert_eq!(simple(&pentagram), None, "it turns left everywhere, but twice around");
     }
 }
