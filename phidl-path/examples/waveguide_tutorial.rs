@@ -1,4 +1,4 @@
-//! PHIDL's tutorial on waveguides and paths, step by step: every function is a chapter and returns what it draws.
+//! PHIDL's tutorial on waveguides and paths, step by step: every function is a chapter and returns its drawing.
 //!
 //! `cargo run -p phidl-path --example waveguide_tutorial` prints what came out; nothing is written. The pictures are in
 //! `docs/waveguide_tutorial.md`, where `cargo xtask gallery --bless` draws them from [`chapters`].
@@ -6,9 +6,9 @@
 use std::f64::consts::PI;
 
 use phidl_core::prelude::*;
-use phidl_path::{ArcBend, CrossSection, EulerBend, Extrusion, Path, Section, WidthChange, transition};
+use phidl_path::{ArcBend, CrossSection, EulerBend, Extrusion, Overlaps, Path, Section, TransitionShape, transition};
 
-/// A path from pieces. Everything that has a place knows the same words.
+/// A path from pieces. Everything that can be moved has the same methods.
 pub(crate) fn pieces() -> Result<Path> {
     let mut path = Path::arc(10, 90)?;
     path.append(Path::straight(10)?).append(Path::euler(3, -90)?).append(Path::straight(40)?);
@@ -17,13 +17,15 @@ pub(crate) fn pieces() -> Result<Path> {
     Ok(path)
 }
 
-/// What is drawn along a path: one width, a width that grows, or a cross-section, whose ends have the names of ports.
+/// Extrusions: one width, a width that grows, or a cross-section with port names for its ends.
 fn extrusions(path: &Path) -> Result<[Device; 3]> {
     let x = CrossSection::new()
         .add(Section::new(1).layer(0).ports("in", "out"))
         .add(Section::new(3).offset(2).layer(2))
         .add(Section::new(3).offset(-2).layer(2));
-    Ok([path.extrude_width(1.5, 3)?, path.extrude_width((0.7, 3.7), 4)?, path.extrude(&x)?])
+    // The outer strips are wider than the bend of 3 µm allows. PHIDL draws them all the same.
+    let wide = Extrusion::new(path, &x).overlaps(Overlaps::Keep).build()?;
+    Ok([path.extrude_width(1.5, 3)?, path.extrude_width((0.7, 3.7), 4)?, wide])
 }
 
 /// Pieces that repeat, in lists and in lists of lists.
@@ -35,8 +37,8 @@ fn repetition() -> Result<Path> {
     Ok(path)
 }
 
-/// Sharp corners: from points, or by walking and turning. A piece that is appended turns into the path's direction, and
-/// so do points; those that are to stay where they are start a path.
+/// Sharp corners: from points, or piece by piece with turns. An appended piece is rotated into the direction of the path,
+/// and so are points; a path that starts with points keeps them.
 fn sharp_corners() -> Result<[Path; 3]> {
     let points = [(20, 10), (30, 10), (40, 30), (50, 30), (50, 20), (70, 20)];
     let mut walk = Path::line(10)?;
@@ -51,7 +53,7 @@ fn round_corners() -> Result<[Path; 2]> {
     Ok([Path::smooth(points, 2, EulerBend::new())?, Path::smooth(points, 2, ArcBend::new())?])
 }
 
-/// Points of one's own between pieces: a limaçon that ends in a loop.
+/// Custom points between pieces: a limaçon that ends in a loop.
 fn custom_curve() -> Result<Path> {
     let limacon = |i: u32| {
         let t = -PI + PI * f64::from(i) / 999.0;
@@ -63,14 +65,14 @@ fn custom_curve() -> Result<Path> {
     Ok(path)
 }
 
-/// Fewer points: by a tolerance for the edges, or by one for the curve before it is drawn.
+/// Fewer points: by a tolerance for the edges, or by one for the path.
 fn fewer_points(path: &Path) -> Result<[Device; 4]> {
     let x = CrossSection::new().add(Section::new(0.5).offset(2)).add(Section::new(1.5).layer(2).ports("in", "out"));
     let coarse = |tolerance: f64| Extrusion::new(path, &x).simplify(tolerance).build();
     Ok([path.extrude(&x)?, coarse(1e-3)?, coarse(0.1)?, path.with_tolerance(1e-3)?.extrude(&x)?])
 }
 
-/// Vias in a row along a path and beside it, each turned as the path runs.
+/// Vias in rows on a path and beside it, each rotated into the direction of the path.
 fn vias() -> Result<Device> {
     let mut via = Device::builder("via");
     via.add_polygon([(-0.5, -0.25), (0.5, -0.25), (0.5, 0.25), (-0.5, 0.25)], 4)?;
@@ -79,8 +81,8 @@ fn vias() -> Result<Device> {
     let mut d = Device::builder("vias");
     d.add(path.extrude_width(0.3, 1)?);
     for (offset, row) in [(0.0, 0..15), (0.9, 1..14)] {
-        for station in path.interpolate(row.map(|i| 4 * i), offset)? {
-            d.add(station.place(&via));
+        for point in path.interpolate(row.map(|i| 4 * i), offset)? {
+            d.add(point.place(&via));
         }
     }
     d.build()
@@ -99,7 +101,7 @@ fn curvature() -> Result<[Device; 2]> {
     Ok([drawn(EulerBend::new().p(0.5).use_eff().path(3, 90)?)?, drawn(Path::arc(3, 90)?)?])
 }
 
-/// Two cross-sections, a taper from one to the other, all three joined. A copy is a copy: to change one is to change one.
+/// Two cross-sections and a taper from one to the other, connected. A copy of a cross-section is independent.
 fn transitions() -> Result<Device> {
     let narrow = CrossSection::new()
         .add(Section::new(1.2).layer(2).named("wg").ports("in1", "out1"))
@@ -109,7 +111,7 @@ fn transitions() -> Result<Device> {
     wide["wg"] = Section::new(1).layer(2).named("wg").ports("in2", "out2");
     wide["etch"].width = 3.5.into();
     (wide["wg2"].width, wide["wg2"].offset) = (3.into(), 5.into());
-    let taper = transition(&narrow, &wide, WidthChange::Sine)?;
+    let taper = transition(&narrow, &wide, TransitionShape::Sine)?;
 
     let mut d = Device::builder("transitions");
     let first = d.add(Path::straight(10)?.extrude(&narrow)?);
@@ -122,7 +124,7 @@ fn transitions() -> Result<Device> {
     d.build()
 }
 
-/// Widths and offsets that are functions of the part of the length that lies behind.
+/// Widths and offsets that are functions of the fraction of the length.
 fn functions() -> Result<[Device; 2]> {
     let wavy = CrossSection::new()
         .add(Section::new(3).offset(-6))
@@ -132,14 +134,15 @@ fn functions() -> Result<[Device; 2]> {
     Ok([Path::straight(40)?.extrude(&wavy)?, bent.extrude_width(1, 2)?])
 }
 
-/// A path beside another, and its mirror image. Where the path bends more tightly than it is far away, it folds.
+/// An offset path and its mirror image. Where the path bends more tightly than the offset, the offset path runs backwards.
 fn beside(path: &Path) -> Result<Device> {
     let mut beside = path.offset(6)?;
     beside.movey(-2);
     let image = beside.clone().mirrored((0, 0), (1, 0));
     let mut d = Device::builder("beside");
     for (path, layer) in [(path, 1), (&beside, 2), (&image, 3)] {
-        d.add(path.extrude_width(1, layer)?);
+        let strip = CrossSection::of_width(1, layer);
+        d.add(Extrusion::new(path, &strip).overlaps(Overlaps::Keep).build()?);
     }
     d.build()
 }
@@ -157,10 +160,10 @@ fn with_points(device: &Device) -> Result<Device> {
     d.build()
 }
 
-/// A drawing and what it is called.
+/// A drawing and its name.
 type Named = (&'static str, Device);
 
-/// The chapters: what each is called, and its drawings.
+/// The chapters: name and drawings of each.
 pub(crate) fn chapters() -> Result<Vec<(&'static str, Vec<Named>)>> {
     let path = pieces()?;
     let strip = |path: &Path| path.extrude_width(1, 1);
@@ -194,7 +197,7 @@ fn strips<const N: usize>(names: [&'static str; N], paths: [Path; N]) -> Result<
     Ok(named(names, strips.collect::<Result<Vec<_>>>()?))
 }
 
-/// Prints what was drawn.
+/// Prints the size of each drawing.
 #[expect(clippy::print_stdout, reason = "an example shows what it did")]
 pub(crate) fn main() -> Result<()> {
     let path = pieces()?;

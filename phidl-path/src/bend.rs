@@ -1,25 +1,25 @@
-//! [`Bend`]: whatever can turn a corner; [`ArcBend`] and [`EulerBend`] do.
+//! [`Bend`]: the shape of a corner; [`ArcBend`] and [`EulerBend`] implement it.
 //!
-//! A bend is a shape without a size: the corner says how far to turn, the caller how tightly. A function from radius and
-//! angle to a path is a bend too. (PHIDL passes such a function with its options beside it, and an option that the
-//! function does not have is found out only when it is called.)
+//! A bend is a shape without a size: the corner gives the angle, the caller the radius. A function from radius and angle to
+//! a path is a bend too. (PHIDL passes such a function and its options separately, and an unknown option is noticed only in
+//! the call.)
 
-use phidl_core::Result;
+use phidl_core::{Error, Result};
 
+use crate::Path;
 use crate::curve::{Arc, Euler};
-use crate::{Path, rule};
 
-/// How many points a full turn has if nobody says.
+/// Default number of points per full turn.
 const NUM_PTS: f64 = 720.0;
 
-/// Draws the bend for a corner.
+/// The shape of a corner.
 pub trait Bend {
     /// The path of a radius (µm) that turns by an angle (degrees, positive to the left), from the origin heading right.
     ///
-    /// It depends on nothing else: [`Path::smooth`] asks once for all corners that turn by the same angle.
+    /// It must depend on nothing else: [`Path::smooth`] calls it once for all corners that turn by the same angle.
     ///
     /// # Errors
-    /// What the bend refuses.
+    /// If the bend cannot be drawn with this radius or angle.
     fn bend(&self, radius: f64, angle: f64) -> Result<Path>;
 }
 
@@ -77,7 +77,7 @@ impl Bend for ArcBend {
     }
 }
 
-/// Euler bends: the curvature rises and falls linearly, so that light hardly notices them.
+/// Euler bends: the curvature rises and falls linearly, which keeps the optical loss low.
 ///
 /// ```
 /// # use phidl_path::EulerBend;
@@ -99,14 +99,14 @@ impl EulerBend {
         Self { p: 1.0, use_eff: false, num_pts: NUM_PTS }
     }
 
-    /// The same with another part (0 to 1) of the turn in the clothoids, the rest in an arc between them. With 0 it is
-    /// an arc.
+    /// The same with another fraction (0 to 1) of the turn in the clothoids and the rest in an arc between them. With 0 it
+    /// is an arc.
     #[must_use]
     pub fn p(self, p: impl Into<f64>) -> Self {
         Self { p: p.into(), ..self }
     }
 
-    /// The same with the radius of the arc that has the same ends, for angles up to 190°.
+    /// The same, where the radius is that of the arc with the same ends; for angles up to 190°.
     #[must_use]
     pub fn use_eff(self) -> Self {
         Self { use_eff: true, ..self }
@@ -147,10 +147,10 @@ impl Bend for EulerBend {
     }
 }
 
-/// The bend for a corner, checked: it must start at the origin and end on the bisector's mirror image, or it would not
-/// meet the leg behind the corner.
+/// The bend for a corner. It must start at the origin and end on its mirror image at the bisector, or it would not meet
+/// the leg after the corner.
 pub(crate) fn checked(bend: &impl Bend, radius: f64, angle: f64) -> Result<Path> {
-    /// Distance by which a bend may miss its place (µm): ports that meet within this form a joint.
+    /// Distance by which a bend may miss its end (µm): ports that meet within this form a joint.
     const JOINT: f64 = 1e-6;
     let path = bend.bend(radius, angle)?;
     path.check()?;
@@ -159,11 +159,13 @@ pub(crate) fn checked(bend: &impl Bend, radius: f64, angle: f64) -> Result<Path>
     let met = end.distance(due).min(end.distance(-due)) <= JOINT;
     match path.start().norm() <= JOINT && met {
         true => Ok(path),
-        false => Err(rule::refused(
+        false => Err(Error::custom(
             "smooth",
-            "bend",
-            format!("a path from {} to {end} for a corner of {angle}°", path.start()),
-            "start at the origin and end as far behind the corner as it starts before it",
+            format!(
+                "the bend for a corner of {angle}° leads from {} to {end}, but it must start at (0, 0) and end as far behind \
+                 the corner as it starts before it",
+                path.start()
+            ),
         )),
     }
 }
@@ -180,7 +182,7 @@ mod tests {
     }
 
     #[test]
-    fn a_bend_that_would_not_meet_the_next_leg_is_refused() {
+    fn a_bend_that_misses_the_next_leg_is_refused() {
         let crooked = |radius: f64, _: f64| Path::arc(radius, 45);
         assert!(checked(&crooked, 5.0, 45.0).is_ok());
         assert!(checked(&crooked, 5.0, 90.0).is_err());

@@ -1,15 +1,16 @@
-//! [`CrossSection`]: the strips that are drawn along a path.
+//! [`CrossSection`]: the bands that are drawn along a path.
 //!
-//! A cross-section is a plain value: a copy is a copy. (PHIDL's copies share their sections, so that a change of one
-//! changes the other.) Adding chains, so what is wrong comes out when the cross-section is used.
+//! A cross-section is a value, and a copy is independent. (PHIDL's copies share their sections, so that a change of one
+//! changes the other.) `add` chains and does not fail; an invalid section is the error of the extrusion or the transition.
 
 use std::ops::{Index, IndexMut};
 
-use phidl_core::Result;
 use phidl_core::layer::Layers;
 use phidl_core::scene::Device;
+use phidl_core::{Error, Result};
 
-use crate::{Path, Profile, Section, rule};
+use crate::section::Beside;
+use crate::{Path, Profile, Section};
 
 /// An ordered set of [`Section`]s.
 ///
@@ -41,17 +42,16 @@ impl CrossSection {
         Self::default()
     }
 
-    /// A single strip in the middle of the path.
+    /// One band in the middle of the path.
     pub fn of_width(width: impl Into<Profile>, layers: impl Into<Layers>) -> Self {
         Self::new().add(Section::new(width).layer(layers))
     }
 
     /// The same with one more section.
     ///
-    /// A name or a port name that is taken, or a width that cannot be, comes back as the error of the extrusion or the
-    /// transition.
+    /// A name or a port name that is taken and an invalid width are errors of the extrusion or the transition.
     #[must_use]
-    #[expect(clippy::should_implement_trait, reason = "the reference's word; `+` joins two cross-sections")]
+    #[expect(clippy::should_implement_trait, reason = "PHIDL's name; `+` joins two cross-sections")]
     pub fn add(mut self, section: Section) -> Self {
         self.sections.push(section);
         self
@@ -66,23 +66,26 @@ impl CrossSection {
     /// The section of a name.
     ///
     /// # Errors
-    /// [`Error::Param`](phidl_core::Error::Param) with the names that are there.
+    /// [`Error::Custom`] with the names of the sections.
     pub fn get(&self, name: &str) -> Result<&Section> {
-        self.find(name).map(|place| &self.sections[place])
+        self.index_of(name).map(|index| &self.sections[index])
     }
 
-    /// The section of a name, to be changed.
+    /// The section of a name, for a change.
     ///
     /// # Errors
     /// As for [`CrossSection::get`].
     pub fn get_mut(&mut self, name: &str) -> Result<&mut Section> {
-        self.find(name).map(|place| &mut self.sections[place])
+        self.index_of(name).map(|index| &mut self.sections[index])
     }
 
-    /// The cross-section as it looks from the other end: left and right change places.
+    /// The cross-section seen from the other end of the path: left and right are exchanged.
     #[must_use]
     pub fn mirrored(&self) -> Self {
-        let mirrored = |section: &Section| Section { offset: section.offset.negated(), ..section.clone() };
+        let mirrored = |section: &Section| {
+            let beside = section.beside.clone().map(|beside| Beside { side: beside.side.opposite(), ..beside });
+            Section { offset: section.offset.negated(), beside, ..section.clone() }
+        };
         Self { sections: self.sections.iter().map(mirrored).collect() }
     }
 
@@ -92,7 +95,7 @@ impl CrossSection {
         Self { sections: [&self.sections[..], &other.sections].concat() }
     }
 
-    /// The device that is drawn along a path: the same as [`Path::extrude`].
+    /// The device along a path, as [`Path::extrude`] draws it.
     ///
     /// # Errors
     /// As for [`Path::extrude`].
@@ -100,34 +103,46 @@ impl CrossSection {
         path.extrude(self)
     }
 
-    fn find(&self, name: &str) -> Result<usize> {
+    /// The number of the section of a name.
+    pub(crate) fn index_of(&self, name: &str) -> Result<usize> {
         let named = |section: &Section| section.name.as_deref() == Some(name);
         self.sections.iter().position(named).ok_or_else(|| {
             let known: Vec<&str> = self.sections.iter().filter_map(|section| section.name.as_deref()).collect();
-            let known = if known.is_empty() { "there are none".to_owned() } else { known.join(", ") };
-            rule::refused("cross-section", "name", format!("\"{name}\""), format!("be known; known are: {known}"))
+            let known = if known.is_empty() {
+                "no section has a name".to_owned()
+            } else {
+                format!("known are {}", known.join(", "))
+            };
+            Error::custom("cross-section", format!("there is no section \"{name}\"; {known}"))
         })
     }
 
-    /// Refuses what cannot be drawn along any path.
+    /// Refuses a cross-section that can be drawn along no path.
     pub(crate) fn check(&self) -> Result<()> {
         let mut names: Vec<&str> = Vec::new();
         let mut ports: Vec<&str> = Vec::new();
-        for (place, section) in self.sections.iter().enumerate() {
-            let title = section.title(place);
+        for (index, section) in self.sections.iter().enumerate() {
+            let title = section.title(index);
             section.check(&title)?;
-            section.name.iter().try_for_each(|name| unique(&mut names, name, &title, "name"))?;
-            section.port_names().try_for_each(|port| unique(&mut ports, port, &title, "port"))?;
+            if let Some(beside) = &section.beside
+                && !names.contains(&beside.section.as_str())
+            {
+                let other = &beside.section;
+                let message =
+                    format!("it begins at an edge of \"{other}\", so a section \"{other}\" must be added before it");
+                return Err(Error::custom(title, message));
+            }
+            section.name.iter().try_for_each(|name| unique(&mut names, name, "name"))?;
+            section.port_names().try_for_each(|port| unique(&mut ports, port, "port name"))?;
         }
         Ok(())
     }
 }
 
-/// Notes a name and refuses it if it is taken.
-fn unique<'a>(taken: &mut Vec<&'a str>, name: &'a str, title: &str, kind: &str) -> Result<()> {
+/// Adds a name and refuses it if it is taken.
+fn unique<'a>(taken: &mut Vec<&'a str>, name: &'a str, kind: &str) -> Result<()> {
     if taken.contains(&name) {
-        let rule = "be the only one of this name in the cross-section";
-        return Err(rule::refused(title, kind, format!("\"{name}\""), rule));
+        return Err(Error::custom("cross-section", format!("the {kind} \"{name}\" is used twice")));
     }
     taken.push(name);
     Ok(())
@@ -171,7 +186,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_copy_is_changed_on_its_own() {
+    fn a_copy_is_independent() {
         let original = CrossSection::new().add(Section::new(2).named("wg"));
         let mut copy = original.clone();
         copy["wg"].width = 9.into();
@@ -182,22 +197,20 @@ mod tests {
     fn names_and_ports_must_differ() {
         let twice = CrossSection::new().add(Section::new(1).named("a")).add(Section::new(1).named("a"));
         assert!(twice.check().is_err());
-        let error = CrossSection::from(Section::new(1).ports("p", "p")).check().unwrap_err();
-        assert_eq!(
-            error.to_string(),
-            "section 0: port is \"p\", but it must be the only one of this name in the cross-section"
-        );
+        assert!(CrossSection::from(Section::new(1).ports("p", "p")).check().is_err());
     }
 
     #[test]
-    fn an_unknown_name_lists_the_known_ones() {
-        let x = CrossSection::new().add(Section::new(1).named("wg")).add(Section::new(1).named("etch"));
-        let error = x.get("gw").unwrap_err();
-        assert_eq!(error.to_string(), "cross-section: name is \"gw\", but it must be known; known are: wg, etch");
+    fn a_section_begins_at_an_edge_of_an_earlier_one() {
+        let strip = || Section::new(4).named("strip");
+        let gap = || Section::new(2).right_of("strip").named("gap");
+        assert!(CrossSection::new().add(strip()).add(gap()).check().is_ok());
+        assert!(CrossSection::new().add(gap()).add(strip()).check().is_err(), "the strip must come first");
+        assert!(CrossSection::new().add(strip()).add(gap().offset(1)).check().is_err(), "one position, not two");
     }
 
     #[test]
-    fn a_mirrored_cross_section_is_on_the_other_side() {
+    fn a_mirrored_cross_section_lies_on_the_other_side() {
         let x = CrossSection::new().add(Section::new(1).offset(2)).add(Section::new(1).offset((1, 3)));
         let mirrored = x.mirrored();
         assert_eq!(mirrored.sections()[0].offset.constant(), Some(-2.0));

@@ -2,18 +2,18 @@
 
 use std::f64::consts::{PI, TAU};
 
-use phidl_core::Result;
 use phidl_core::geom::Point;
+use phidl_core::{Error, Result};
 
-use crate::miters::REPEATED;
-use crate::{Path, rule};
+use crate::Path;
+use crate::normals::REPEATED;
 
 impl Path {
     /// Curvature along the path: the length (µm) up to the end of each segment, and the curvature there (1/µm, positive
     /// to the left), by finite differences of second order over the directions of the segments.
     ///
-    /// It takes many points to see a curvature: at the end of a straight piece of two points there is a corner, which
-    /// has none. Points that repeat the one before are passed over.
+    /// A curvature needs many points: at the end of a straight piece of two points there is a corner, which has none.
+    /// Repeated points count once.
     ///
     /// ```
     /// # use phidl_path::Path;
@@ -23,15 +23,14 @@ impl Path {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Param`](phidl_core::Error::Param) if the path has fewer than four distinct points; and what was kept
-    /// before.
+    /// [`Error::Custom`] if the path has fewer than four distinct points; and the deferred error.
     pub fn curvature(&self) -> Result<(Vec<f64>, Vec<f64>)> {
         self.check()?;
         let mut points = self.points().to_vec();
         points.dedup_by(|next, before| next.distance(*before) <= REPEATED);
         if points.len() < 4 {
-            let given = format!("{} distinct points", points.len());
-            return Err(rule::refused("curvature", "path", given, "have at least 4 of them"));
+            let message = format!("the path needs at least 4 distinct points, but has {}", points.len());
+            return Err(Error::custom("curvature", message));
         }
         let (s, headings) = directions(&points);
         let curvature = gradient(&s, &headings);
@@ -59,7 +58,7 @@ fn directions(points: &[Point]) -> (Vec<f64>, Vec<f64>) {
     segments.unzip()
 }
 
-/// The derivative dy/dx at every x, exact for parabolas: of the one through a point and its two neighbors.
+/// The derivative dy/dx at every x: that of the parabola through a point and its two neighbors.
 fn gradient(x: &[f64], y: &[f64]) -> Vec<f64> {
     let last = x.len() - 1;
     let inner = |i: usize| {
@@ -84,7 +83,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_arc_has_the_curvature_that_the_specification_names() {
+    fn an_arc_has_the_curvature_of_the_reference() {
         let (s, curvature) = Path::arc(10, 90).unwrap().curvature().unwrap();
         assert_eq!(s.len(), 179);
         assert!(curvature.iter().all(|k| (k - 0.100_000_320_9).abs() < 1e-9));
@@ -118,7 +117,7 @@ mod tests {
     }
 
     #[test]
-    fn repeated_points_are_passed_over_and_too_few_refused() {
+    fn repeated_points_count_once_and_too_few_are_refused() {
         let path = Path::from_points([(0, 0), (1, 0), (1, 0), (2, 0), (3, 0)]).unwrap();
         assert_eq!(path.curvature().unwrap().1, [0.0; 3]);
         assert!(Path::from_points([(0, 0), (1, 0), (2, 0)]).unwrap().curvature().is_err());

@@ -1,7 +1,7 @@
-//! Directions as the specification computes them, to the last bit.
+//! Directions as PHIDL computes them, to the last bit.
 //!
-//! A path keeps the angles of its ends as they come out of these formulas, because its geometry hash takes their bits;
-//! readers give them within one turn. The order of operations matters here: `t / π · 180` and `t · 180 / π` differ.
+//! A path keeps the angles of its ends as these formulas give them, because its geometry hash takes their bits; getters
+//! normalize them to one turn. The order of operations matters: `t / π · 180` and `t · 180 / π` differ.
 
 use std::f64::consts::PI;
 
@@ -24,7 +24,7 @@ pub(crate) fn of_leg(along: Point) -> f64 {
     along.y.atan2(along.x) * (180.0 / PI)
 }
 
-/// An angle within one turn as the reference takes it: a tiny negative angle may come out as a full 360.
+/// An angle reduced to one turn as PHIDL does it: a tiny negative angle may become 360.
 pub(crate) fn within_turn(degrees: f64) -> f64 {
     degrees.rem_euclid(360.0)
 }
@@ -34,7 +34,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn axes_and_diagonals_are_exact_in_all_three_formulas() {
+    fn axes_and_diagonals_are_exact_in_all_formulas() {
         for (x, y, degrees) in [(1.0, 0.0, 0.0), (0.0, 2.0, 90.0), (-3.0, 0.0, 180.0), (0.0, -1.0, -90.0)] {
             let to = Point::new(x, y);
             assert_eq!(of_segment(Point::ORIGIN, to), degrees);

@@ -1,23 +1,23 @@
-//! The geometry hash of a path, as the specification defines it.
+//! The geometry hash of a path, as PHIDL defines it.
 
 use phidl_core::Result;
 use sha1::{Digest as _, Sha1};
 
 use crate::{Path, rule};
 
-/// Moves the boundaries between two bins away from round numbers.
+/// Keeps the boundaries between two bins away from round numbers.
 const OFFSET: f64 = 0.170_486_14;
 
 impl Path {
-    /// The SHA-1 of the reference library over the points, cut off at `precision` (µm, usually 1e-4), and over all bits
-    /// of the directions of the two ends; as 40 hexadecimal digits, for comparing results.
+    /// PHIDL's SHA-1 over the points, truncated to `precision` (µm, usually 1e-4), and over all bits of the directions of
+    /// the two ends; as 40 hexadecimal digits.
     ///
     /// Angles that come from points (of a polyline, a mirror line) differ in their last bit from machine to machine, and
-    /// the hash with them. To compare the content of paths, compare the paths.
+    /// so does the hash. To compare the content of paths, compare the paths.
     ///
     /// # Errors
-    /// [`Error::Param`](phidl_core::Error::Param) unless the precision is greater than 0 and finite; and what was kept
-    /// before.
+    /// [`Error::Param`](phidl_core::Error::Param) unless the precision is greater than 0 and finite; and the deferred
+    /// error.
     pub fn hash_geometry(&self, precision: f64) -> Result<String> {
         self.check()?;
         rule::positive_length("hash_geometry", "precision", precision)?;
@@ -39,7 +39,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_blank_path_has_the_hash_of_the_specification() {
+    fn a_blank_path_has_the_hash_of_the_reference() {
         assert_eq!(Path::new().hash_geometry(1e-4).unwrap(), "de8a847bff8c343d69b853a215e6ee775ef2ef96");
         assert!(Path::new().hash_geometry(0.0).is_err());
     }

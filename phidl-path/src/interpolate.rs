@@ -1,4 +1,4 @@
-//! Things along a path: points at given distances, with the local direction.
+//! [`PathPoint`]: points at given distances along a path, with the local direction.
 
 use phidl_core::Result;
 use phidl_core::geom::Point;
@@ -7,46 +7,46 @@ use phidl_core::place::Movable as _;
 use phidl_core::port::Port;
 use phidl_core::scene::{Device, Reference};
 
-use crate::miters::right_of;
+use crate::normals::right_of;
 use crate::{Path, Profile, direction, rule};
 
-/// Distance by which a position may lie beyond the ends of a path (µm), for sums that should end exactly there.
+/// Distance by which a position may lie beyond the ends of a path (µm): the rounding of sums.
 const BEYOND: f64 = 1e-9;
 
-/// A place on a path.
+/// A point on a path, with the direction of the path there.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Station {
-    /// Where it is.
+pub struct PathPoint {
+    /// The position.
     pub point: Point,
-    /// Direction of the path there (degrees, in `[0, 360)`); at a vertex, that of the segment behind it.
+    /// Direction of the path there (degrees, in `[0, 360)`); at a vertex, that of the following segment.
     pub angle: f64,
 }
 
-impl Station {
-    /// A placement of a device here: its origin at the point, its x axis along the path.
+impl PathPoint {
+    /// A reference to a device with its origin at the point and its x axis along the path.
     #[must_use]
     pub fn place(&self, device: &Device) -> Reference {
         device.place().rotated(self.angle).moved_by(self.point)
     }
 
-    /// A port here that looks along the path.
+    /// A port at the point, facing along the path.
     #[must_use]
     pub fn port(&self, width: impl Into<f64>) -> Port {
         Port::new(self.point, width, self.angle)
     }
 }
 
-impl From<Station> for Point {
-    fn from(station: Station) -> Self {
-        station.point
+impl From<PathPoint> for Point {
+    fn from(sample: PathPoint) -> Self {
+        sample.point
     }
 }
 
 impl Path {
-    /// The places at some distances along the [offset](Path::offset) path: to put things in a row beside a path, with
-    /// even spacing where they stand.
+    /// The points at given distances along the [offset](Path::offset) path: for devices in an evenly spaced row beside a
+    /// path.
     ///
-    /// Distances (µm) are measured on the offset path, which in a bend is longer or shorter than this one. For distances
+    /// Distances (µm) are measured on the offset path, which is longer or shorter than this one in a bend. For distances
     /// on the path itself see [`Path::beside`].
     ///
     /// ```
@@ -58,39 +58,42 @@ impl Path {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Param`](phidl_core::Error::Param) if a distance is not on the offset path; as for [`Path::offset`]; and
-    /// what was kept before.
+    /// [`Error::Param`](phidl_core::Error::Param) if a distance is not on the offset path; and as for [`Path::offset`].
     pub fn interpolate<D: Into<f64>>(
         &self,
         distances: impl IntoIterator<Item = D>,
         offset: impl Into<Profile>,
-    ) -> Result<Vec<Station>> {
+    ) -> Result<Vec<PathPoint>> {
         let path = self.offset(offset)?;
         let ruler = Ruler::of(&path);
         distances.into_iter().map(|distance| Ok(ruler.place(distance.into())?.0)).collect()
     }
 
-    /// The places beside some distances along the path: a thing at `offset` to the right for every distance (µm) on the
-    /// path itself.
+    /// The points at an offset (µm) to the right of given distances (µm) along the path itself.
     ///
     /// # Errors
-    /// [`Error::Param`](phidl_core::Error::Param) if a distance is not on the path, or an offset is not finite or
-    /// given for the points of the path only; and what was kept before.
+    /// [`Error::Param`](phidl_core::Error::Param) if a distance is not on the path, or an offset is not finite or is a
+    /// list; and the deferred error.
     pub fn beside<D: Into<f64>>(
         &self,
         distances: impl IntoIterator<Item = D>,
         offset: impl Into<Profile>,
-    ) -> Result<Vec<Station>> {
+    ) -> Result<Vec<PathPoint>> {
         self.check_line("beside")?;
         let offset = offset.into();
         let ruler = Ruler::of(self);
         let place = |distance: D| {
             let (place, t) = ruler.place(distance.into())?;
-            let aside = offset.at(t).filter(|v| v.is_finite());
-            let aside = aside.ok_or_else(|| {
-                rule::refused("beside", "offset", format!("{offset:?}"), format!("be finite at t = {t}"))
+            let lateral = offset.at(t).filter(|v| v.is_finite());
+            let lateral = lateral.ok_or_else(|| {
+                rule::refused(
+                    "beside",
+                    "offset",
+                    format!("{offset:?}"),
+                    format!("be a number or a function, and finite at t = {t}"),
+                )
             })?;
-            Ok(Station { point: place.point + right_of(place.angle) * aside, ..place })
+            Ok(PathPoint { point: place.point + right_of(place.angle) * lateral, ..place })
         };
         distances.into_iter().map(place).collect()
     }
@@ -107,8 +110,8 @@ impl<'a> Ruler<'a> {
         Self { points: path.points(), lengths: path.lengths() }
     }
 
-    /// The place at a distance, and the part of the length that lies behind it.
-    fn place(&self, distance: f64) -> Result<(Station, f64)> {
+    /// The point at a distance, and the fraction of the length before it.
+    fn place(&self, distance: f64) -> Result<(PathPoint, f64)> {
         let last = self.lengths.len() - 1;
         let whole = self.lengths[last];
         if !(-BEYOND..=whole + BEYOND).contains(&distance) {
@@ -116,13 +119,13 @@ impl<'a> Ruler<'a> {
             return Err(rule::refused("interpolate", "distance", format!("{distance} µm"), rule));
         }
         let distance = distance.clamp(0.0, whole);
-        // The segment behind the last vertex that is not beyond the distance; at the end, the last segment.
+        // The segment after the last vertex that is not beyond the distance; at the end, the last segment.
         let segment = self.lengths.partition_point(|length| *length <= distance).clamp(1, last) - 1;
         let (from, to) = (self.points[segment], self.points[segment + 1]);
         let length = self.lengths[segment + 1] - self.lengths[segment];
         let part = if length > 0.0 { (distance - self.lengths[segment]) / length } else { 0.0 };
         let angle = angle::normalized(direction::of_segment(from, to));
-        Ok((Station { point: from + (to - from) * part, angle }, if whole > 0.0 { distance / whole } else { 0.0 }))
+        Ok((PathPoint { point: from + (to - from) * part, angle }, if whole > 0.0 { distance / whole } else { 0.0 }))
     }
 }
 
@@ -135,7 +138,7 @@ mod tests {
     }
 
     #[test]
-    fn places_are_those_of_the_specification() {
+    fn points_are_those_of_the_reference() {
         let places = stairs().interpolate([0, 5, 10, 15], 0).unwrap();
         let expected =
             [((20., 10.), 0.), ((25., 10.), 0.), ((30., 10.), 63.434_949), ((32.236_068, 14.472_136), 63.434_949)];
@@ -152,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn distances_are_those_of_the_offset_path_and_beside_those_of_the_path() {
+    fn distances_are_measured_on_the_offset_path_and_beside_on_the_path() {
         let corner = Path::from_points([(0, 0), (10, 0), (10, 10)]).unwrap();
         assert!(corner.interpolate([20], -1).is_err());
         assert_eq!(corner.interpolate([18], -1).unwrap()[0].point, Point::new(9.0, 10.0));
@@ -169,7 +172,7 @@ mod tests {
     }
 
     #[test]
-    fn devices_stand_along_the_path() {
+    fn a_device_is_placed_along_the_path() {
         let mut d = Device::builder("via");
         d.add_polygon([(0, -1), (2, -1), (2, 1), (0, 1)], 1).unwrap();
         let via = d.build().unwrap();

@@ -4,14 +4,14 @@
 #![doc = include_str!("../docs/pieces.svg")]
 //! </div>
 //!
-//! | word | is |
+//! | item | meaning |
 //! |---|---|
 //! | [`Path`] | a centerline: points with a direction at each end |
-//! | [`Path::arc`], [`Path::euler`], [`Path::straight`], [`Spiral`] | the pieces it is made of |
-//! | [`ArcBend`], [`EulerBend`] | the shapes of bends, with options; what [`Path::smooth`] puts at corners |
-//! | [`CrossSection`] of [`Section`]s | what is drawn along it: widths and offsets, layers, ports |
+//! | [`Path::arc`], [`Path::euler`], [`Path::straight`], [`Spiral`] | the pieces of a path |
+//! | [`ArcBend`], [`EulerBend`] | the shapes of bends, with options; [`Path::smooth`] draws them at corners |
+//! | [`CrossSection`] of [`Section`]s | the bands along a path: widths and offsets, layers, ports |
 //! | [`Path::extrude`] | path × cross-section → [`Device`](phidl_core::scene::Device) |
-//! | [`transition`] | a cross-section that changes into another one along the way |
+//! | [`transition`] | a cross-section that changes into another one along the path |
 //!
 //! ```
 //! use phidl_path::{CrossSection, Path, Section};
@@ -26,40 +26,43 @@
 //! # Ok::<(), phidl_core::Error>(())
 //! ```
 //!
-//! Lengths are micrometers, angles degrees counter-clockwise; an offset is positive to the right of the path. Points are
-//! those of the specification, or with [`Path::with_tolerance`] the fewest that keep a tolerance.
+//! Lengths are in micrometers, angles in degrees counter-clockwise. An offset is positive to the right of the path. Points
+//! are PHIDL's, or with [`Path::with_tolerance`] the fewest that keep a tolerance.
 
+mod band;
 mod bend;
 mod cross_section;
 mod curvature;
 mod curve;
 mod direction;
 mod extrude;
-mod fold;
 mod hash;
 mod interpolate;
-mod miters;
+mod normals;
 mod offset;
+mod overlap;
 mod path;
 mod piece;
 mod profile;
 mod rule;
 mod sampling;
 mod section;
+mod side;
 mod smooth;
 mod transition;
 
 pub use bend::{ArcBend, Bend, EulerBend};
 pub use cross_section::CrossSection;
 pub use curve::Spiral;
-pub use extrude::Extrusion;
-pub use fold::{Fold, Side};
-pub use interpolate::Station;
+pub use extrude::{Extrusion, Overlaps};
+pub use interpolate::PathPoint;
+pub use overlap::{OverlapCause, SelfOverlap};
 pub use path::Path;
 pub use piece::Piece;
 pub use profile::Profile;
-pub use section::Section;
-pub use transition::{WidthChange, transition};
+pub use section::{Beside, Section};
+pub use side::Side;
+pub use transition::{TransitionShape, transition};
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

@@ -1,25 +1,25 @@
 //! The parallel curve of a path.
 
-use phidl_core::Result;
 use phidl_core::geom::Point;
+use phidl_core::{Error, Result};
 
-use crate::curve::{Curve, Part};
-use crate::miters::Miters;
-use crate::{Path, Profile, rule};
+use crate::curve::{Curve, CurveSegment};
+use crate::normals::OffsetNormals;
+use crate::{Path, Profile};
 
-/// Length over which the slope of an offset that changes is taken at the ends (µm).
+/// Length over which the slope of a changing offset is measured at the ends (µm).
 const SLOPE_STEP: f64 = 1e-6;
 
-/// Directions of the ends that follow from such a slope are rounded to this many parts of a degree.
+/// Directions that follow from such a slope are rounded to this many parts of a degree.
 const DIRECTION_PARTS: f64 = 1e6;
 
 impl Path {
-    /// The path at a distance (µm) to the right of this one; to the left if it is negative. The distance may change
-    /// along the path, and then the directions of the ends follow it.
+    /// The path at a distance (µm) to the right of this one, to the left if negative. The distance may change along the
+    /// path; the directions of the ends then follow its slope.
     ///
-    /// Corners are mitered, and beveled if they turn by more than 168.5°. Where the path bends more tightly than the
-    /// distance, the result folds back and crosses itself: nothing is trimmed. It keeps its points when it is
-    /// [resampled](Path::with_tolerance).
+    /// Corners are mitered, or beveled if they turn by more than 168.5°. Where the path bends more tightly than the
+    /// distance, the result runs backwards and crosses itself: nothing is trimmed. [Resampling](Path::with_tolerance)
+    /// keeps its points.
     ///
     /// ```
     /// # use phidl_path::Path;
@@ -29,8 +29,8 @@ impl Path {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Param`](phidl_core::Error::Param) if the path has one point, or a distance is not finite or missing;
-    /// and what was kept before.
+    /// [`Error::Custom`](phidl_core::Error::Custom) if the path has one point, [`Error::Param`](phidl_core::Error::Param)
+    /// if a distance is not finite or missing; and the deferred error.
     pub fn offset(&self, offset: impl Into<Profile>) -> Result<Self> {
         let offset = offset.into();
         self.check_line("offset")?;
@@ -41,23 +41,23 @@ impl Path {
     /// The offset path, with the number of the point of this path for each of its points.
     pub(crate) fn offset_with_sources(&self, offset: &Profile) -> Result<(Self, Vec<usize>)> {
         offset.check("path", "offset")?;
-        let miters = Miters::of(self);
+        let normals = OffsetNormals::of(self);
         let distances = match offset.constant() {
-            Some(distance) => vec![distance; miters.len()],
-            None => miters.pick(offset.sampled("path", "offset", &self.fractions())?),
+            Some(distance) => vec![distance; normals.len()],
+            None => normals.pick(offset.sampled("path", "offset", &self.fractions())?),
         };
-        let sides = miters.points.iter().zip(&miters.vectors).zip(&distances);
+        let sides = normals.points.iter().zip(&normals.vectors).zip(&distances);
         let points: Vec<Point> = sides.map(|((p, miter), distance)| *p + *miter * *distance).collect();
         let (start, end) = self.offset_angles(offset)?;
-        let part = Part::new(Curve::Points, points.len() - 1);
+        let part = CurveSegment::new(Curve::Points, points.len() - 1);
         let mut path = Self::from_curve(points, vec![part], start, end);
         for (key, value) in self.info() {
             path.set_info(key, value.clone());
         }
-        Ok((path, miters.sources()))
+        Ok((path, normals.sources()))
     }
 
-    /// The directions of the ends of an offset path: turned by the slope of the offset.
+    /// The directions of the ends of an offset path, rotated by the slope of the offset.
     fn offset_angles(&self, offset: &Profile) -> Result<(f64, f64)> {
         let (start, end) = self.raw_angles();
         let step = SLOPE_STEP / self.length();
@@ -75,7 +75,7 @@ impl Path {
         };
         match slopes.0.is_finite() && slopes.1.is_finite() {
             true => Ok((turned(start, slopes.0), turned(end, slopes.1))),
-            false => Err(rule::refused("path", "offset", "of no finite slope", "change steadily at the ends")),
+            false => Err(Error::custom("path", "the offset has no finite slope at an end of the path")),
         }
     }
 
@@ -86,7 +86,7 @@ impl Path {
         (slope(0), slope(n - 2))
     }
 
-    /// The part of the length that lies behind each point, 0 to 1. A path of no length is given the parts of its count.
+    /// The fraction (0 to 1) of the length before each point. On a path of no length the points are spaced evenly.
     pub(crate) fn fractions(&self) -> Vec<f64> {
         let lengths = self.lengths();
         let whole = lengths[lengths.len() - 1];
@@ -142,7 +142,7 @@ mod tests {
     }
 
     #[test]
-    fn a_repeated_point_leaves_no_notch_and_a_path_back_no_spike() {
+    fn repeated_points_leave_no_notch_and_half_turns_no_spike() {
         let path = Path::from_points([(0, 0), (0, 10), (0, 10), (0, 20)]).unwrap();
         assert_eq!(points(&path.offset(1).unwrap()), [(1., 0.), (1., 10.), (1., 20.)]);
         let back = Path::from_points([(0, 0), (10, 0), (0, 0)]).unwrap();
@@ -150,7 +150,7 @@ mod tests {
     }
 
     #[test]
-    fn offsets_that_are_no_lengths_are_refused() {
+    fn invalid_offsets_are_refused() {
         let path = Path::straight(10).unwrap();
         assert!(path.offset(f64::NAN).is_err());
         assert!(path.offset(|t: f64| 1.0 / t).is_err());

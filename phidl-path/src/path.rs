@@ -1,17 +1,17 @@
 //! [`Path`]: a centerline.
 //!
-//! A path is a list of points with a direction at each end, and beside it what curve each stretch of points lies on. The
-//! points are what is measured, hashed and extruded; the curves are there to draw the same path with other points.
+//! A path is a list of points with a direction at each end, and a list of the curves on which the points lie. The points
+//! are measured, hashed and extruded; the curves serve to draw the same path with other points.
 
 use std::collections::BTreeMap;
 
 use phidl_core::error::{Error, Result};
 use phidl_core::geom::{Outline, Point, Rect, Transform};
-use phidl_core::num::angle;
+use phidl_core::num::{angle, count};
 use phidl_core::param::Value;
 use phidl_core::place::{Bounded, DeferredError, Transformable};
 
-use crate::curve::{Curve, Part};
+use crate::curve::{Curve, CurveSegment};
 use crate::sampling::MOST_CHORDS;
 use crate::{Piece, direction, rule};
 
@@ -27,36 +27,36 @@ use crate::{Piece, direction, rule};
 /// # Ok::<(), phidl_core::Error>(())
 /// ```
 ///
-/// It moves, turns and mirrors with the words of [`Movable`](phidl_core::place::Movable). It is not drawn until it is
+/// It moves, rotates and mirrors with the methods of [`Movable`](phidl_core::place::Movable), and is drawn when it is
 /// [extruded](Path::extrude).
 ///
-/// # Bad values
-/// Words that chain do not fail. The first bad value (a point that is not finite, a piece of one point) is kept and
-/// comes back as the error of the next fallible call, at the latest of the extrusion.
+/// # Deferred errors
+/// Methods that chain do not fail. The first invalid value (a point that is not finite, a piece of one point) is kept in
+/// the path and returned by the next fallible call, at the latest by the extrusion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Path {
     points: Vec<Point>,
-    /// Directions of the ends in degrees, not brought within one turn: the geometry hash takes their bits.
+    /// Directions of the ends (degrees), not normalized to one turn: the geometry hash takes their bits.
     start_angle: f64,
     end_angle: f64,
-    /// What the points lie on; they cover all of them, except that a path of one point has none.
-    parts: Vec<Part>,
+    /// The curves on which the points lie, from start to end; none for a path of one point.
+    segments: Vec<CurveSegment>,
     info: BTreeMap<String, Value>,
-    fault: Option<Box<Error>>,
+    deferred: Option<Box<Error>>,
 }
 
-/// No process sees less than this (µm), and a smaller tolerance asks for more points than there is memory.
+/// Smallest accepted tolerance (µm): below any lithographic resolution.
 const FINEST_TOLERANCE: f64 = 1e-6;
 
 impl Path {
-    /// A path of one point, the origin, heading right: what pieces are appended to.
+    /// A path of one point, the origin, heading right, to which pieces are appended.
     #[must_use]
     pub fn new() -> Self {
         Self::from_curve(vec![Point::ORIGIN], Vec::new(), 0.0, 0.0)
     }
 
-    /// A path through points (pairs or two coordinate lists), at the places where they are. Its ends have the
-    /// directions of the first and the last segment.
+    /// A path through points (pairs or two coordinate lists). Its ends have the directions of the first and the last
+    /// segment.
     ///
     /// ```
     /// # use phidl_path::Path;
@@ -66,22 +66,22 @@ impl Path {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Param`] if there are fewer than two points, or one is not finite.
+    /// [`Error::Custom`] if there are fewer than two points, [`Error::Param`] if one is not finite.
     pub fn from_points(points: impl Outline) -> Result<Self> {
         let points = points.into_points();
         if let Some((i, p)) = points.iter().enumerate().find(|(_, p)| !p.is_finite()) {
             return Err(rule::refused("path", &format!("points[{i}]"), p, "be finite"));
         }
         let ([first, second, ..], [.., before, last]) = (&points[..], &points[..]) else {
-            let given = if points.len() == 1 { "1 point" } else { "no points" };
-            return Err(rule::refused("path", "points", given, "be at least 2 points"));
+            let given = if points.len() == 1 { "1 point is" } else { "no points are" };
+            return Err(Error::custom("path", format!("a path needs at least 2 points, but {given} given")));
         };
         let (start, end) = (direction::of_segment(*first, *second), direction::of_segment(*before, *last));
-        let part = Part::new(Curve::Points, points.len() - 1);
+        let part = CurveSegment::new(Curve::Points, points.len() - 1);
         Ok(Self::from_curve(points, vec![part], start, end))
     }
 
-    /// The pieces one after the other, from the origin to the right: a blank path to which they are appended.
+    /// The pieces one after another, from the origin to the right: a blank path to which they are appended.
     #[must_use]
     pub fn of(pieces: impl Piece) -> Self {
         let mut path = Self::new();
@@ -89,29 +89,34 @@ impl Path {
         path
     }
 
-    pub(crate) fn from_curve(points: Vec<Point>, parts: Vec<Part>, start_angle: f64, end_angle: f64) -> Self {
-        Self { points, start_angle, end_angle, parts, info: BTreeMap::new(), fault: None }
+    pub(crate) fn from_curve(
+        points: Vec<Point>,
+        segments: Vec<CurveSegment>,
+        start_angle: f64,
+        end_angle: f64,
+    ) -> Self {
+        Self { points, start_angle, end_angle, segments, info: BTreeMap::new(), deferred: None }
     }
 
-    /// Appends a piece, or several in a list: each is turned until it starts in the direction in which this path ends,
-    /// and moved to its end.
+    /// Appends a piece, or several in a list. Each is rotated until its start has the direction of this path's end, and
+    /// moved there.
     ///
-    /// Points are a piece too, and are turned and moved like any other. The info of a piece is not taken over.
+    /// Points are a piece too, and are rotated and moved like any other. The info of a piece is not copied.
     pub fn append(&mut self, pieces: impl Piece) -> &mut Self {
         pieces.append_to(self);
         self
     }
 
     pub(crate) fn append_path(&mut self, piece: &Self) {
-        if let Some(fault) = &piece.fault {
-            return self.keep((**fault).clone());
+        if let Some(deferred) = &piece.deferred {
+            return self.defer((**deferred).clone());
         }
         let (first, joint) = (piece.points[0], self.end());
         let turn = Transform::rotation(self.end_angle - piece.start_angle);
         let by = Transform { origin: joint - turn.apply(first), ..turn };
         let (matrix, before) = (by.matrix(), self.points.len() - 1);
         self.points.extend(piece.points.iter().skip(1).map(|p| matrix.apply(*p)));
-        self.parts.extend(piece.parts.iter().map(|part| part.moved(before, &by)));
+        self.segments.extend(piece.segments.iter().map(|segment| segment.moved(before, &by)));
         self.end_angle = direction::within_turn(piece.end_angle + self.end_angle - piece.start_angle);
     }
 
@@ -145,23 +150,23 @@ impl Path {
         angle::normalized(self.end_angle)
     }
 
-    /// Makes the path start in another direction (degrees): the face of an extrusion turns with it.
+    /// Sets the direction of the start (degrees): the face of an extrusion turns with it.
     pub fn set_start_angle(&mut self, degrees: impl Into<f64>) -> &mut Self {
         let degrees = degrees.into();
-        self.keep_finite("start_angle", degrees);
+        self.check_finite("start_angle", degrees);
         self.start_angle = degrees;
         self
     }
 
-    /// Makes the path end in another direction (degrees): the next piece goes there.
+    /// Sets the direction of the end (degrees): the next piece starts in it.
     pub fn set_end_angle(&mut self, degrees: impl Into<f64>) -> &mut Self {
         let degrees = degrees.into();
-        self.keep_finite("end_angle", degrees);
+        self.check_finite("end_angle", degrees);
         self.end_angle = degrees;
         self
     }
 
-    /// Turns the direction in which the path ends (degrees, to the left if positive): a corner before the next piece.
+    /// Turns the direction of the end (degrees, to the left if positive): a corner before the next piece.
     ///
     /// ```
     /// # use phidl_path::Path;
@@ -174,59 +179,61 @@ impl Path {
         self.set_end_angle(self.end_angle + degrees.into())
     }
 
-    /// What was recorded about the path; an extrusion takes it over.
+    /// The info recorded on the path; an extrusion copies it.
     #[must_use]
     pub fn info(&self) -> &BTreeMap<String, Value> {
         &self.info
     }
 
-    /// Records something about the path.
+    /// Records an info entry.
     pub fn set_info(&mut self, key: impl Into<String>, value: impl Into<Value>) -> &mut Self {
         self.info.insert(key.into(), value.into());
         self
     }
 
-    /// Its length: the sum over all segments (µm).
+    /// The length (µm): the sum over the chords between its points.
     #[must_use]
     pub fn length(&self) -> f64 {
-        self.stretches().map(|(part, points)| part.length(points)).sum()
+        self.segments_with_points().map(|(segment, points)| segment.length(points)).sum()
     }
 
-    /// Its parts, each with its points; both ends of a part are its own.
-    pub(crate) fn stretches(&self) -> impl Iterator<Item = (&Part, &[Point])> {
+    /// The curve segments, each with its points, both ends included.
+    pub(crate) fn segments_with_points(&self) -> impl Iterator<Item = (&CurveSegment, &[Point])> {
         let mut from = 0;
-        self.parts.iter().map(move |part| (part, &self.points[std::mem::replace(&mut from, part.end)..=part.end]))
+        self.segments
+            .iter()
+            .map(move |segment| (segment, &self.points[std::mem::replace(&mut from, segment.end)..=segment.end]))
     }
 
-    /// The stretches of which it was made (bends and straights, say), each where it is.
+    /// The pieces of which it was made (bends and straights, for instance), at their positions.
     #[must_use]
     pub fn pieces(&self) -> Vec<Self> {
-        let piece = |(part, points): (&Part, &[Point])| {
-            let (start, end) = part.directions(points);
-            let part = Part { end: points.len() - 1, ..part.clone() };
+        let piece = |(segment, points): (&CurveSegment, &[Point])| {
+            let (start, end) = segment.directions(points);
+            let part = CurveSegment { end: points.len() - 1, ..segment.clone() };
             Self::from_curve(points.to_vec(), vec![part], start, end)
         };
-        self.stretches().map(piece).collect()
+        self.segments_with_points().map(piece).collect()
     }
 
     /// The same path with the fewest points that keep every chord within `tolerance` (µm) of its curve.
     ///
-    /// Arcs, Euler bends, spirals and straight pieces get new points; points that were given as points stay, and so do
-    /// those of an offset path. No chord spans more than a third of a turn.
+    /// Arcs, Euler bends, spirals and straight pieces get new points. Points that were given as points, and those of an
+    /// offset path, are kept. No chord spans more than a third of a turn.
     ///
     /// ```
     /// # use phidl_path::{EulerBend, Path};
     /// let path = Path::arc(10, 90)?.with_tolerance(0.001)?;
     /// assert_eq!(path.points().len(), 57); // instead of 180
-    /// // A bend that is drawn for this only need not have many points before.
+    /// // A bend that is resampled anyway needs few points before.
     /// let bend = EulerBend::new().num_pts(1).path(10, 90)?.with_tolerance(0.001)?;
     /// assert_eq!(bend, Path::euler(10, 90)?.with_tolerance(0.001)?);
     /// # Ok::<(), phidl_core::Error>(())
     /// ```
     ///
     /// # Errors
-    /// [`Error::Param`] unless the tolerance is at least 1e-6 µm, finite, and enough for about a million chords on each
-    /// piece; and what was kept before.
+    /// [`Error::Param`] unless the tolerance is at least 1e-6 µm and finite, and needs at most about a million chords on each
+    /// piece and [`count::MOST`] points in all; and the deferred error.
     pub fn with_tolerance(&self, tolerance: impl Into<f64>) -> Result<Self> {
         let tolerance = tolerance.into();
         self.check()?;
@@ -234,51 +241,55 @@ impl Path {
             let rule = format!("be at least {FINEST_TOLERANCE} µm and finite");
             return Err(rule::refused("with_tolerance", "tolerance", format!("{tolerance} µm"), rule));
         }
-        let mut path = Self { points: vec![self.start()], parts: Vec::new(), ..self.clone() };
-        for (part, points) in self.stretches() {
-            let between = part.between_ends(&points[1..points.len() - 1], tolerance).ok_or_else(|| {
-                let rule = format!("be enough for at most {MOST_CHORDS} chords on a piece");
-                rule::refused("with_tolerance", "tolerance", format!("{tolerance} µm"), rule)
-            })?;
+        let mut path = Self { points: vec![self.start()], segments: Vec::new(), ..self.clone() };
+        for (segment, points) in self.segments_with_points() {
+            let too_fine = |rule: String| rule::refused("with_tolerance", "tolerance", format!("{tolerance} µm"), rule);
+            let between = segment.inner_points(&points[1..points.len() - 1], tolerance);
+            let between = between
+                .ok_or_else(|| too_fine(format!("be large enough for at most {MOST_CHORDS} chords on each piece")))?;
+            if path.points.len() + between.len() >= count::MOST {
+                return Err(too_fine(format!("be large enough for at most {} points in all", count::MOST)));
+            }
             path.points.extend(between);
-            path.points.push(self.points[part.end]);
-            path.parts.push(Part { end: path.points.len() - 1, ..part.clone() });
+            path.points.push(self.points[segment.end]);
+            path.segments.push(CurveSegment { end: path.points.len() - 1, ..segment.clone() });
         }
         Ok(path)
     }
 
-    /// The error that was kept, if any.
+    /// Returns the deferred error.
     pub(crate) fn check(&self) -> Result<()> {
-        match &self.fault {
-            Some(fault) => Err((**fault).clone()),
+        match &self.deferred {
+            Some(deferred) => Err((**deferred).clone()),
             None => Ok(()),
         }
     }
 
-    /// Refuses a path that leads nowhere.
+    /// Refuses a path of one point.
     pub(crate) fn check_line(&self, what: &str) -> Result<()> {
         self.check()?;
         match self.points.len() {
-            1 => Err(rule::refused(what, "path", "1 point", "have at least 2 points")),
+            1 => Err(Error::custom(what, "the path has 1 point, but needs at least 2")),
             _ => Ok(()),
         }
     }
 
-    pub(crate) fn keep(&mut self, error: Error) {
-        self.fault.get_or_insert(Box::new(error));
+    /// Keeps the first error of a chain.
+    pub(crate) fn defer(&mut self, error: Error) {
+        self.deferred.get_or_insert(Box::new(error));
     }
 
-    fn keep_finite(&mut self, what: &str, degrees: f64) {
+    fn check_finite(&mut self, what: &str, degrees: f64) {
         if !degrees.is_finite() {
-            self.keep(rule::refused("path", what, format!("{degrees}°"), "be finite"));
+            self.defer(rule::refused("path", what, format!("{degrees}°"), "be finite"));
         }
     }
 
-    pub(crate) fn parts(&self) -> &[Part] {
-        &self.parts
+    pub(crate) fn segments(&self) -> &[CurveSegment] {
+        &self.segments
     }
 
-    /// The directions of the ends as they are kept.
+    /// The directions of the ends, not normalized.
     pub(crate) fn raw_angles(&self) -> (f64, f64) {
         (self.start_angle, self.end_angle)
     }
@@ -328,8 +339,8 @@ impl Transformable for Path {
         self.end_angle = direction::within_turn(twice - self.end_angle);
     }
 
-    fn refuse(&mut self, fault: DeferredError) {
-        self.keep(fault.into_error("path", "the path"));
+    fn refuse(&mut self, deferred: DeferredError) {
+        self.defer(deferred.into_error("path", "the path"));
     }
 }
 
@@ -337,18 +348,18 @@ impl Path {
     fn move_points(&mut self, by: &Transform) {
         let matrix = by.matrix();
         self.points.iter_mut().for_each(|p| *p = matrix.apply(*p));
-        self.parts.iter_mut().for_each(|part| part.place = part.place.then(by));
+        self.segments.iter_mut().for_each(|segment| segment.place = segment.place.then(by));
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Spiral, Station};
+    use crate::{PathPoint, Spiral};
     use phidl_core::place::Movable as _;
 
     #[test]
-    fn appended_points_are_turned_into_the_direction_of_the_path() {
+    fn appended_points_are_rotated_into_the_direction_of_the_path() {
         let mut path = Path::new();
         path.append([(1, 0), (1, 5), (5, 7)]);
         let expected = [(0., 0.), (5., 0.), (7., -4.)];
@@ -357,7 +368,7 @@ mod tests {
     }
 
     #[test]
-    fn appending_leaves_the_piece_as_it_was() {
+    fn appending_does_not_change_the_piece() {
         let mut path = Path::of([(0, 0), (5, 0)]);
         let piece = Path::from_points([(0, 0), (3, 0)]).unwrap();
         path.append(&piece);
@@ -366,7 +377,7 @@ mod tests {
     }
 
     #[test]
-    fn turning_and_walking_draws_the_path_of_the_specification() {
+    fn turns_between_pieces_draw_the_path_of_the_reference() {
         let mut path = Path::new();
         path.append(Path::line(10).unwrap()).turn(90).append(Path::line(10).unwrap()).turn(-135);
         path.append(Path::line(15).unwrap()).set_end_angle(0).append(Path::line(10).unwrap());
@@ -374,7 +385,7 @@ mod tests {
     }
 
     #[test]
-    fn the_first_bad_value_comes_back_from_what_can_fail() {
+    fn the_first_invalid_value_is_the_error_of_the_next_fallible_call() {
         let mut path = Path::new();
         path.append([(0, 0), (9, 0)]).rotate(f64::NAN).append([(0, 0)]).set_end_angle(f64::INFINITY);
         let error = path.extrude_width(1, 0).unwrap_err();
@@ -385,7 +396,7 @@ mod tests {
     }
 
     #[test]
-    fn a_path_can_be_drawn_anew_with_other_points_wherever_it_is() {
+    fn a_transformed_path_can_be_resampled() {
         let spiral = Spiral { num_turns: 3.0, gap: 2.0, inner_gap: 5.0, num_pts: 1000.0 }.path().unwrap();
         let mut path = Path::of([Path::straight(4).unwrap(), Path::euler(6, -70).unwrap(), Path::arc(5, 200).unwrap()]);
         path.append(&spiral).append([(0, 0), (1, 1), (2, 0)]).rotate(33).mirror((0, 0), (1, 3)).scale(1.5);
@@ -399,26 +410,26 @@ mod tests {
         }
         assert!(coarse.points().len() < fine.points().len() / 5);
         assert_eq!(coarse.with_tolerance(1e-4).unwrap().points().len(), fine.points().len());
-        // All pieces still meet: a joint that went wrong would leave a jump as long as a piece.
+        // All pieces still meet: a wrong joint would leave a jump as long as a piece.
         let longest = fine.points().windows(2).skip(1).map(|s| s[0].distance(s[1])).fold(0.0, f64::max);
         assert!(longest < 3.0, "{longest}");
     }
 
     #[test]
-    fn a_tolerance_that_asks_for_all_memory_is_refused() {
+    fn a_tolerance_that_needs_too_many_points_is_refused() {
         let path = Path::euler(1000, 90).unwrap();
         assert!(path.with_tolerance(0).is_err() && path.with_tolerance(1e-300).is_err());
         assert!(path.with_tolerance(f64::NAN).is_err());
         for huge in [Path::euler(1e12, 90), Path::arc(1e12, 90)] {
             let error = huge.unwrap().with_tolerance(1e-6).unwrap_err();
-            assert!(error.to_string().ends_with("be enough for at most 1048576 chords on a piece"));
+            assert!(error.to_string().ends_with("be large enough for at most 1048576 chords on each piece"));
         }
     }
 
     #[test]
-    fn a_place_on_the_path_is_a_point() {
+    fn a_path_point_converts_to_its_position() {
         let path = Path::line(4).unwrap();
-        let station: Station = path.interpolate([2], 0).unwrap()[0];
-        assert_eq!(Point::from(station), Point::new(2.0, 0.0));
+        let sample: PathPoint = path.interpolate([2], 0).unwrap()[0];
+        assert_eq!(Point::from(sample), Point::new(2.0, 0.0));
     }
 }

@@ -1,10 +1,10 @@
-//! [`Piece`]: what can be appended to a path.
+//! [`Piece`]: a path, points, or a list of these.
 
 use phidl_core::geom::Point;
 
 use crate::Path;
 
-/// What can be appended to a path: a path, points, or a list of such, as deep as you like.
+/// A piece of a path, for [`Path::append`]: a path, points, or a list of pieces, nested to any depth.
 ///
 /// ```
 /// # use phidl_path::Path;
@@ -55,7 +55,7 @@ impl Piece for Vec<Point> {
     fn append_to(self, path: &mut Path) {
         match Path::from_points(self) {
             Ok(piece) => path.append_path(&piece),
-            Err(error) => path.keep(error),
+            Err(error) => path.defer(error),
         }
     }
 }

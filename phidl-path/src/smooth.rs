@@ -2,19 +2,19 @@
 
 use std::collections::BTreeMap;
 
-use phidl_core::Result;
 use phidl_core::geom::{Outline, Point, Transform};
-use phidl_core::num::angle;
+use phidl_core::num::{angle, count};
+use phidl_core::{Error, Result};
 
 use crate::bend::{self, Bend};
-use crate::curve::{Curve, Part};
-use crate::miters::REPEATED;
+use crate::curve::{Curve, CurveSegment};
+use crate::normals::REPEATED;
 use crate::{Path, direction, rule};
 
-/// A corner that turns by less than this (degrees) is none.
+/// Smallest turn of a corner (degrees).
 const STRAIGHT_ON: f64 = 1e-6;
 
-/// By how much (µm) two bends may share a leg: rounding makes this of legs that are just long enough.
+/// Overlap (µm) of two bends on a leg that is accepted as rounding.
 const ROOM: f64 = 1e-9;
 
 impl Path {
@@ -22,11 +22,11 @@ impl Path {
     /// every corner: [`ArcBend`](crate::ArcBend), [`EulerBend`](crate::EulerBend), or a function from radius and angle
     /// to a path.
     ///
-    /// Repeated waypoints and those on a straight line are passed over. There are no points on the straights but the
-    /// ends of the bends, and the first and the last waypoint.
+    /// Repeated waypoints and waypoints on a straight line are skipped. A straight has no points except the ends of the
+    /// bends and the first and the last waypoint.
     ///
-    /// How many points a bend has follows from its angle, cut off: at some orientations a corner of 90° comes out a hair
-    /// smaller and has a point less. [`Path::with_tolerance`] knows no such jumps.
+    /// The number of points of a bend is its angle times the points per degree, truncated. At some orientations rounding
+    /// makes a corner of 90° slightly smaller, and its bend has one point less. [`Path::with_tolerance`] has no such jumps.
     ///
     /// ```
     /// # use phidl_path::{EulerBend, Path};
@@ -36,14 +36,17 @@ impl Path {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Param`](phidl_core::Error::Param) if there are fewer than two different waypoints, if the line doubles
-    /// back, or if a leg has no room for its bends; and what the bend refuses.
+    /// [`Error::Custom`] if there are fewer than two different waypoints, if the line doubles back, if a leg has no room for
+    /// its bends, or if there would be more than [`count::MOST`] points; and the error of the bend.
     pub fn smooth(waypoints: impl Outline, radius: impl Into<f64>, bend: impl Bend) -> Result<Self> {
         let given = Self::from_points(waypoints)?;
         let mut points = given.points().to_vec();
         points.dedup_by(|next, before| next.distance(*before) <= REPEATED);
         if points.len() < 2 {
-            return Err(rule::refused("smooth", "points", "one and the same", "be at least two different points"));
+            return Err(Error::custom(
+                "smooth",
+                "all waypoints are one point, but at least two different ones are needed",
+            ));
         }
         let (points, legs) = corners_only(points);
         match points.len() {
@@ -55,21 +58,21 @@ impl Path {
     /// This path, taken as waypoints, with a bend at every corner; see [`Path::smooth`].
     ///
     /// # Errors
-    /// As for [`Path::smooth`]; and what was kept before.
+    /// As for [`Path::smooth`]; and the deferred error.
     pub fn smoothed(&self, radius: impl Into<f64>, bend: impl Bend) -> Result<Self> {
         self.check()?;
         Self::smooth(self.points(), radius, bend)
     }
 }
 
-/// The straight pieces between waypoints.
+/// The legs between waypoints.
 struct Legs {
     /// Unit vectors.
     along: Vec<Point>,
     lengths: Vec<f64>,
     /// Directions (degrees).
     directions: Vec<f64>,
-    /// By how much each corner turns (degrees, in `[-180, 180)`).
+    /// Turn of each corner (degrees, in `[-180, 180)`).
     turns: Vec<f64>,
 }
 
@@ -91,7 +94,7 @@ impl Legs {
     }
 }
 
-/// The waypoints without those that lie on a straight line between their neighbors, and the legs between them.
+/// The waypoints without those on a straight line between their neighbors, and the legs between them.
 fn corners_only(points: Vec<Point>) -> (Vec<Point>, Legs) {
     let legs = Legs::of(&points);
     if legs.turns.iter().all(|turn| turn.abs() >= STRAIGHT_ON) {
@@ -105,32 +108,28 @@ fn corners_only(points: Vec<Point>) -> (Vec<Point>, Legs) {
 }
 
 fn smoothed(points: &[Point], legs: &Legs, radius: f64, bend: &impl Bend) -> Result<Path> {
-    let bends = Bends::of(points, legs, radius, bend)?;
+    let bends = CornerBends::of(points, legs, radius, bend)?;
     bends.check_room(points, legs)?;
+    bends.check_count()?;
     Ok(bends.assembled(points, legs))
 }
 
-/// The bends at the corners of a line. Corners that turn alike, to the last bit, share one.
-struct Bends {
-    /// The bends that there are, each with how far before its corner it starts (µm).
+/// The bends at the corners of a line. Corners with the same turn, to the last bit, share one.
+struct CornerBends {
+    /// The different bends, each with the distance before its corner at which it starts (µm).
     drawn: Vec<(Path, f64)>,
-    /// Which of them each corner has.
+    /// The bend of each corner: an index into `drawn`.
     at_corners: Vec<usize>,
 }
 
-impl Bends {
+impl CornerBends {
     fn of(points: &[Point], legs: &Legs, radius: f64, bend: &impl Bend) -> Result<Self> {
         let mut drawn = Vec::new();
         let mut by_turn: BTreeMap<u64, usize> = BTreeMap::new();
         let mut at_corners = Vec::with_capacity(legs.turns.len());
         for (turn, corner) in legs.turns.iter().zip(&points[1..]) {
             if (turn.abs() - 180.0).abs() < STRAIGHT_ON {
-                return Err(rule::refused(
-                    "smooth",
-                    "points",
-                    format!("a line that doubles back at {corner}"),
-                    "go on",
-                ));
+                return Err(Error::custom("smooth", format!("the line doubles back at {corner}, where no bend fits")));
             }
             let number = *by_turn.entry(turn.to_bits()).or_insert(drawn.len());
             if number == drawn.len() {
@@ -143,45 +142,62 @@ impl Bends {
         Ok(Self { drawn, at_corners })
     }
 
-    /// Refuses legs that are shorter than what the bends at both ends take of them.
+    /// Refuses legs that are shorter than the setbacks of the bends at both ends.
     fn check_room(&self, points: &[Point], legs: &Legs) -> Result<()> {
         let taken = |corner: Option<&usize>| corner.map_or(0.0, |number| self.drawn[*number].1);
         for (i, length) in legs.lengths.iter().enumerate() {
             let before = i.checked_sub(1).and_then(|before| self.at_corners.get(before));
             let needed = taken(before) + taken(self.at_corners.get(i));
             if needed > length + ROOM {
-                let leg = format!("leg from {} to {}", points[i], points[i + 1]);
-                let rule = format!("be at least {needed} µm, to have room for its bends");
-                return Err(rule::refused("smooth", &leg, format!("{length} µm"), rule));
+                let (from, to) = (points[i], points[i + 1]);
+                let (length, needed) = (rule::um(*length), rule::um(needed));
+                let message = format!("the leg from {from} to {to} is {length} long, but its bends need {needed}");
+                return Err(Error::custom("smooth", message));
             }
         }
         Ok(())
     }
 
-    /// The first waypoint, all bends at their places, and the last waypoint, as one path.
+    /// Refuses more points than fit into memory.
+    fn check_count(&self) -> Result<()> {
+        let points: usize = self.at_corners.iter().map(|number| self.drawn[*number].0.points().len()).sum();
+        match points <= count::MOST {
+            true => Ok(()),
+            false => {
+                let message = format!("the bends have {points} points together, but at most {} are drawn", count::MOST);
+                Err(Error::custom("smooth", message))
+            }
+        }
+    }
+
+    /// The first waypoint, all bends in position, and the last waypoint, as one path.
     fn assembled(&self, points: &[Point], legs: &Legs) -> Path {
         let bends = || self.at_corners.iter().map(|number| &self.drawn[*number]);
         let mut line = Vec::with_capacity(2 + bends().map(|(bend, _)| bend.points().len()).sum::<usize>());
-        let mut parts = Vec::with_capacity(1 + bends().map(|(bend, _)| 1 + bend.parts().len()).sum::<usize>());
+        let mut segments = Vec::with_capacity(1 + bends().map(|(bend, _)| 1 + bend.segments().len()).sum::<usize>());
         line.push(points[0]);
         for (i, (bend, setback)) in bends().enumerate() {
             let start = points[i + 1] - legs.along[i] * *setback;
             let place = Transform { origin: start, ..Transform::rotation(legs.directions[i]) };
             let matrix = place.matrix();
-            parts.push(Part { curve: Curve::Line, place, end: line.len() });
-            parts.extend(bend.parts().iter().map(|part| part.moved(line.len(), &place)));
+            segments.push(CurveSegment { curve: Curve::Line, place, end: line.len() });
+            segments.extend(bend.segments().iter().map(|segment| segment.moved(line.len(), &place)));
             line.extend(bend.points().iter().map(|p| matrix.apply(*p)));
         }
         let last = legs.directions.len() - 1;
-        parts.push(Part { curve: Curve::Line, place: Transform::rotation(legs.directions[last]), end: line.len() });
+        segments.push(CurveSegment {
+            curve: Curve::Line,
+            place: Transform::rotation(legs.directions[last]),
+            end: line.len(),
+        });
         line.push(points[points.len() - 1]);
         let (start, end) = end_directions(&line, legs);
-        Path::from_curve(line, parts, start, end)
+        Path::from_curve(line, segments, start, end)
     }
 }
 
-/// The directions of both ends. They come about in this way in the reference, to the last bit: as those of a piece that is
-/// appended to a blank path, which was turned into the direction of the first leg.
+/// The directions of both ends, computed as PHIDL does, to the last bit: as those of a piece that is appended to a blank
+/// path with the direction of the first leg.
 fn end_directions(line: &[Point], legs: &Legs) -> (f64, f64) {
     let (n, last) = (line.len(), legs.directions.len() - 1);
     let first_leg = legs.directions[0];
@@ -191,15 +207,15 @@ fn end_directions(line: &[Point], legs: &Legs) -> (f64, f64) {
     (angle::normalized(blank), angle::normalized(direction::within_turn(end + blank - start)))
 }
 
-/// How far before its corner a bend starts (µm).
+/// The distance before its corner at which a bend starts (µm).
 fn setback(bend: &Path, turn: f64) -> f64 {
     let chord = bend.start().distance(bend.end());
     let radius = (chord / 2.0 / (turn / 2.0).to_radians().sin()).abs();
     (radius / ((180.0 - turn) / 2.0).to_radians().tan()).abs()
 }
 
-/// The direction of the first or last leg as it is left between the bends; where a bend takes it up whole, nothing is
-/// left that has a direction.
+/// The direction of what the bends leave of the first or last leg. Where a bend takes the whole leg, nothing is left, and
+/// the direction is that of the leg.
 fn leg_direction(from: Point, to: Point, whole_leg: f64) -> f64 {
     let left = direction::of_segment(from, to);
     let same = angle::between(left, whole_leg) < STRAIGHT_ON && from.distance(to) > REPEATED;
@@ -211,14 +227,14 @@ mod tests {
     use super::*;
     use crate::{ArcBend, EulerBend};
 
-    const SPEC: [(f64, f64); 5] = [(20., 0.), (40., 0.), (80., 40.), (80., 10.), (100., 10.)];
+    const WAYPOINTS: [(f64, f64); 5] = [(20., 0.), (40., 0.), (80., 40.), (80., 10.), (100., 10.)];
 
     #[test]
-    fn smoothed_paths_are_those_of_the_specification() {
+    fn smoothed_paths_are_those_of_the_reference() {
         let cases = [
-            (Path::smooth(SPEC, 2, EulerBend::new().use_eff()), 1079, 39.171_572_875, 121.798_912_206),
-            (Path::smooth(SPEC, 4, ArcBend::new()), 542, 38.343_145_751, 114.790_620_936),
-            (Path::smooth(SPEC, 4, EulerBend::new()), 1079, 36.738_038_622, 110.211_457_752),
+            (Path::smooth(WAYPOINTS, 2, EulerBend::new().use_eff()), 1079, 39.171_572_875, 121.798_912_206),
+            (Path::smooth(WAYPOINTS, 4, ArcBend::new()), 542, 38.343_145_751, 114.790_620_936),
+            (Path::smooth(WAYPOINTS, 4, EulerBend::new()), 1079, 36.738_038_622, 110.211_457_752),
         ];
         for (path, points, second, length) in cases {
             let path = path.unwrap();
@@ -230,18 +246,18 @@ mod tests {
     }
 
     #[test]
-    fn few_points_per_turn_give_the_corner_of_the_specification() {
+    fn few_points_per_turn_give_the_corner_of_the_reference() {
         let path = Path::smooth([(0, 0), (50, 0), (50, 50)], 5, ArcBend::new().num_pts(16)).unwrap();
         let expected = [(0., 0.), (45., 0.), (47.5, 0.669_873), (49.330_127, 2.5), (50., 5.), (50., 50.)];
         assert!(path.points().iter().zip(expected).all(|(p, q)| p.distance(q.into()) < 1e-6));
     }
 
     #[test]
-    fn repeated_and_collinear_waypoints_are_passed_over() {
-        let plain = Path::smooth([(0, 0), (0, 100), (50, 100)], 5, ArcBend::new()).unwrap();
+    fn repeated_and_collinear_waypoints_are_skipped() {
+        let direct = Path::smooth([(0, 0), (0, 100), (50, 100)], 5, ArcBend::new()).unwrap();
         let full = [(0, 0), (0, 50), (0, 50), (0, 100), (25, 100), (50, 100)];
         let passed = Path::smooth(full, 5, ArcBend::new()).unwrap();
-        assert_eq!(plain.points(), passed.points());
+        assert_eq!(direct.points(), passed.points());
     }
 
     #[test]
@@ -267,9 +283,10 @@ mod tests {
     }
 
     #[test]
-    fn lines_without_room_or_back_to_where_they_came_from_are_refused() {
+    fn lines_without_room_and_lines_that_double_back_are_refused() {
         let error = Path::smooth([(0, 0), (3, 0), (3, 9)], 5, ArcBend::new()).unwrap_err();
-        assert!(error.to_string().starts_with("smooth: leg from (0, 0) to (3, 0) is 3 µm, but it must be at least 5"));
+        let expected = "smooth: the leg from (0, 0) to (3, 0) is 3 µm long, but its bends need 5 µm";
+        assert_eq!(error.to_string(), expected);
         assert!(Path::smooth([(0, 0), (9, 0), (1, 0)], 1, ArcBend::new()).is_err());
         assert!(Path::smooth([(1, 1), (1, 1)], 1, ArcBend::new()).is_err());
     }

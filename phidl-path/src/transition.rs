@@ -1,92 +1,131 @@
-//! [`transition`]: a cross-section that turns into another one along the way.
+//! [`transition`]: a cross-section that changes into another one along a path.
+//!
+//! Widths and offsets follow one law, measured square to the path, so both edges of every section follow it too. Sections
+//! that meet at both ends then meet all along: a coplanar line keeps its gaps. (PHIDL moves offsets by a raised cosine
+//! whatever the widths do, and measures widths square to the moved middle line. Strips and gaps then overlap or separate
+//! by micrometers.)
 
-use std::f64::consts::PI;
-
-use phidl_core::Result;
+use phidl_core::{Error, Result};
 
 use crate::{CrossSection, Profile, Section, rule};
 
-/// How the width changes in a [`transition`]. Offsets always change as a raised cosine, which leaves both ends straight.
+/// The law by which widths and offsets change in a [`transition`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum WidthChange {
-    /// As a raised cosine: without a kink at either end.
+pub enum TransitionShape {
+    /// A raised cosine: without a kink at either end.
     #[default]
     Sine,
     /// In proportion to the length.
     Linear,
 }
 
+impl TransitionShape {
+    fn profile(self, from: f64, to: f64) -> Profile {
+        match self {
+            _ if from == to => Profile::Constant(from),
+            Self::Sine => Profile::Sine(from, to),
+            Self::Linear => Profile::Linear(from, to),
+        }
+    }
+}
+
 /// The cross-section that starts as `from` and ends as `to`, for a taper along any path.
 ///
-/// Sections are paired by name; those without a name, or without a partner, are left out. Where width or offset of a
-/// section changes along its own path, the end that meets the taper counts. At its start the taper has the start port of
-/// `to`, and at its end the end port of `from`: in connecting, `in2` meets `out1`, and `out1` meets `in2`.
+/// Sections are paired by name; sections without a name or without a partner are left out. Where a width or offset
+/// changes along its own path, the value at the end that meets the taper counts. The faces are square to the path.
+///
+/// The taper's start port is the start port of `to`, and its end port is the end port of `from`. So each port connects to
+/// the port with the same number: `in2` to `out1`, and `out1` to `in2`.
 ///
 /// ```
-/// # use phidl_path::{CrossSection, Path, Section, WidthChange, transition};
+/// # use phidl_path::{CrossSection, Path, Section, TransitionShape, transition};
 /// let narrow = CrossSection::new().add(Section::new(1.2).ports("in1", "out1").named("wg"));
 /// let wide = CrossSection::new().add(Section::new(3.0).ports("in2", "out2").named("wg"));
-/// let taper = Path::straight(15)?.extrude(&transition(&narrow, &wide, WidthChange::Sine)?)?;
+/// let taper = Path::straight(15)?.extrude(&transition(&narrow, &wide, TransitionShape::Sine)?)?;
 /// assert_eq!((taper.port("in2")?.width(), taper.port("out1")?.width()), (1.2, 3.0));
 /// # Ok::<(), phidl_core::Error>(())
 /// ```
 ///
 /// # Errors
-/// [`Error::Param`](phidl_core::Error::Param) if no name is common to both, if a width or an offset is a list of values
-/// for the points of a path, or if one of the cross-sections cannot be drawn.
-pub fn transition(from: &CrossSection, to: &CrossSection, change: WidthChange) -> Result<CrossSection> {
-    from.check()?;
-    to.check()?;
+/// [`Error::Custom`] if no name is common to both; [`Error::Param`] if a width or an offset is a list of values for the
+/// points of a path, or if one of the cross-sections cannot be drawn.
+pub fn transition(from: &CrossSection, to: &CrossSection, shape: TransitionShape) -> Result<CrossSection> {
+    let (starts, ends) = (end_bands(from, 1.0)?, end_bands(to, 0.0)?);
     let mut taper = CrossSection::new();
-    for first in from.sections() {
-        let partner = to.sections().iter().find(|second| first.name.is_some() && first.name == second.name);
-        if let Some(second) = partner {
-            taper = taper.add(between(first, second, change)?);
+    for (first, start) in from.sections().iter().zip(&starts) {
+        let partner = to.sections().iter().position(|second| first.name.is_some() && first.name == second.name);
+        if let Some(index) = partner {
+            taper = taper.add(between(first, &to.sections()[index], [*start, ends[index]], shape));
         }
     }
     match taper.sections().is_empty() {
         false => Ok(taper),
-        true => Err(rule::refused("transition", "names of the sections", named(from, to), "have one in common")),
+        true => Err(no_common_name(from, to)),
     }
 }
 
+/// A section at one end of the taper.
+#[derive(Debug, Clone, Copy)]
+struct EndBand {
+    width: f64,
+    offset: f64,
+}
+
+/// The sections of a cross-section at a fraction of its own path.
+fn end_bands(x: &CrossSection, t: f64) -> Result<Vec<EndBand>> {
+    x.check()?;
+    let mut bands: Vec<EndBand> = Vec::with_capacity(x.sections().len());
+    for (index, section) in x.sections().iter().enumerate() {
+        let title = section.title(index);
+        let at = |profile: &Profile, param: &str| {
+            profile.at(t).filter(|v| v.is_finite()).ok_or_else(|| {
+                rule::refused(
+                    &title,
+                    param,
+                    format!("{profile:?}"),
+                    "be a number or a function at the end of a transition",
+                )
+            })
+        };
+        let width = at(&section.width, "width")?;
+        let offset = match &section.beside {
+            None => at(&section.offset, "offset")?,
+            Some(beside) => {
+                let other = bands[x.index_of(&beside.section)?];
+                other.offset + beside.side.sign() * (other.width + width) / 2.0
+            }
+        };
+        bands.push(EndBand { width, offset });
+    }
+    Ok(bands)
+}
+
 /// The section that starts as one and ends as another.
-fn between(first: &Section, second: &Section, change: WidthChange) -> Result<Section> {
-    let title = first.title(0);
-    let at = |profile: &Profile, t: f64, param: &str| {
-        profile.at(t).filter(|v| v.is_finite()).ok_or_else(|| {
-            rule::refused(&title, param, format!("{profile:?}"), "be a number or a function, to end in a transition")
-        })
+fn between(first: &Section, second: &Section, [start, end]: [EndBand; 2], shape: TransitionShape) -> Section {
+    let beside = first.beside.clone().filter(|beside| second.beside.as_ref() == Some(beside));
+    let offset = match beside {
+        Some(_) => Profile::Constant(0.0),
+        None => shape.profile(start.offset, end.offset),
     };
-    let (width_1, width_2) = (at(&first.width, 1.0, "width")?, at(&second.width, 0.0, "width")?);
-    let (offset_1, offset_2) = (at(&first.offset, 1.0, "offset")?, at(&second.offset, 0.0, "offset")?);
-    let width = match change {
-        WidthChange::Sine => raised_cosine(width_1, width_2),
-        WidthChange::Linear => Profile::Linear(width_1, width_2),
-    };
-    Ok(Section {
-        width,
-        offset: raised_cosine(offset_1, offset_2),
+    Section {
+        width: shape.profile(start.width, end.width),
+        offset,
+        beside,
         layers: first.layers.clone(),
         start_port: second.start_port.clone(),
         end_port: first.end_port.clone(),
         name: first.name.clone(),
-    })
-}
-
-fn raised_cosine(from: f64, to: f64) -> Profile {
-    if from == to {
-        return Profile::Constant(from);
     }
-    Profile::from(move |t: f64| from + (1.0 - (PI * t).cos()) / 2.0 * (to - from))
 }
 
-fn named(from: &CrossSection, to: &CrossSection) -> String {
+fn no_common_name(from: &CrossSection, to: &CrossSection) -> Error {
     let names = |x: &CrossSection| {
         let names: Vec<&str> = x.sections().iter().filter_map(|section| section.name.as_deref()).collect();
-        if names.is_empty() { "none".to_owned() } else { names.join(", ") }
+        if names.is_empty() { "has no named section".to_owned() } else { format!("has {}", names.join(", ")) }
     };
-    format!("{} and {}", names(from), names(to))
+    let (from, to) = (names(from), names(to));
+    let message = format!("the cross-sections need a section name in common, but the first {from} and the second {to}");
+    Error::custom("transition", message)
 }
 
 #[cfg(test)]
@@ -106,36 +145,45 @@ mod tests {
     }
 
     #[test]
-    fn values_on_the_way_are_those_of_the_specification() {
+    fn widths_and_offsets_follow_one_law() {
         let (first, second) = waveguides();
-        let taper = transition(&first, &second, WidthChange::Sine).unwrap();
+        let taper = transition(&first, &second, TransitionShape::Sine).unwrap();
         let close = |profile: &Profile, value: f64| (profile.at(0.25).unwrap() - value).abs() < 1e-6;
+        // The reference's values for a raised cosine.
         assert!(close(&taper["wg2"].width, 1.378_249) && close(&taper["wg2"].offset, 3.292_893));
-        let taper = transition(&first, &second, WidthChange::Linear).unwrap();
-        assert!(close(&taper["wg2"].width, 1.575) && close(&taper["wg2"].offset, 3.292_893));
+        let taper = transition(&first, &second, TransitionShape::Linear).unwrap();
+        assert!(close(&taper["wg2"].width, 1.575) && close(&taper["wg2"].offset, 3.5));
         assert_eq!(taper["wg"].start_port.as_deref(), Some("in2"));
         assert_eq!(taper["wg"].end_port.as_deref(), Some("out1"));
     }
 
     #[test]
-    fn of_a_section_that_changes_the_end_that_meets_counts() {
+    fn the_end_of_a_changing_section_that_meets_the_taper_counts() {
         let first = CrossSection::new().add(Section::new((1, 4)).named("wg"));
         let second = CrossSection::new().add(Section::new(|t: f64| 6.0 + t).named("wg"));
-        let taper = transition(&first, &second, WidthChange::Linear).unwrap();
+        let taper = transition(&first, &second, TransitionShape::Linear).unwrap();
         assert_eq!((taper["wg"].width.at(0.0), taper["wg"].width.at(1.0)), (Some(4.0), Some(6.0)));
     }
 
     #[test]
-    fn without_a_common_name_there_is_no_transition() {
+    fn a_gap_stays_a_gap_or_becomes_an_offset() {
+        let gap = |width: f64| {
+            let strip = Section::new(width).named("strip");
+            CrossSection::new().add(strip).add(Section::new(2).right_of("strip").named("gap"))
+        };
+        let taper = transition(&gap(1.0), &gap(5.0), TransitionShape::Linear).unwrap();
+        assert_eq!(taper["gap"].beside.as_ref().map(|beside| beside.section.as_str()), Some("strip"));
+        let by_offset =
+            CrossSection::new().add(Section::new(5).named("strip")).add(Section::new(2).offset(3.5).named("gap"));
+        let taper = transition(&gap(1.0), &by_offset, TransitionShape::Linear).unwrap();
+        assert_eq!((taper["gap"].offset.at(0.0), taper["gap"].offset.at(1.0)), (Some(1.5), Some(3.5)));
+    }
+
+    #[test]
+    fn a_transition_without_a_common_name_is_refused() {
         let (first, _) = waveguides();
-        let other = CrossSection::new().add(Section::new(1).named("rib"));
-        let error = transition(&first, &other, WidthChange::Sine).unwrap_err();
-        assert_eq!(
-            error.to_string(),
-            "transition: names of the sections is wg, etch, wg2 and rib, but it must have one in common"
-        );
-        assert!(transition(&first, &CrossSection::of_width(1, 0), WidthChange::Sine).is_err());
+        assert!(transition(&first, &CrossSection::of_width(1, 0), TransitionShape::Sine).is_err());
         let listed = CrossSection::new().add(Section::new(vec![1.0, 2.0]).named("wg"));
-        assert!(transition(&listed, &first, WidthChange::Sine).is_err());
+        assert!(transition(&listed, &first, TransitionShape::Sine).is_err());
     }
 }

@@ -6,8 +6,8 @@
 use phidl_core::prelude::*;
 use phidl_path::{CrossSection, EulerBend, Section};
 use phidl_route::{
-    Course, PathType, RouteBasicParams, RouteBend, RouteSmoothParams, path_j, route_manhattan, route_manhattan_auto,
-    route_quad, route_serpentine, route_sharp, route_xy,
+    PathType, RouteBasicParams, RouteBend, RouteProfile, RouteSmoothParams, path_j, route_manhattan,
+    route_manhattan_auto, route_quad, route_serpentine, route_sharp, route_xy,
 };
 
 pub(crate) fn main() -> Result<()> {
@@ -25,14 +25,14 @@ pub(crate) fn main() -> Result<()> {
         d[wire].device().info()["smallest_radius"]
     );
 
-    // The three steps by hand: way points, bends, and a cross-section of three strips.
+    // The three steps by hand: waypoints, bends, and a cross-section of three strips.
     let gap = |offset: i32| Section::new(4).offset(offset).layer(5);
     let guide = CrossSection::new().add(Section::new(10).layer(4).ports("1", "2")).add(gap(12)).add(gap(-12));
     d.add(path_j(&pad, ((300, -200), 10, 90), 150, 80)?.smoothed(40, EulerBend::new().use_eff())?.extrude(&guide)?);
 
     // A joint of two pads, an S between two wires, a fan of steps, and a bus.
     d.add(route_quad(((0, 300), 20, 0), ((60, 320), 5, 180), None, None, 1)?);
-    d.add(RouteBasicParams::new(((60, 320), 5, 0), ((200, 380), 5, 180)).path_type(Course::Sine).build()?);
+    d.add(RouteBasicParams::new(((60, 320), 5, 0), ((200, 380), 5, 180)).path_type(RouteProfile::Sine).build()?);
     for (row, directions) in ["yyyxy", "yyxyy", "yxyyy"].into_iter().enumerate() {
         let x = 12.0 * row as f64;
         d.add(route_xy(((400.0 + x, 0.0), 4, 90), ((500.0 + x, 200.0), 4, 270), directions, None, 6)?);

@@ -60,7 +60,7 @@ fn widths() -> Result<[Device; 4]> {
     Ok([route().build()?, route().width(2).build()?, route().width((7, 1.5)).build()?, route().width(strips).build()?])
 }
 
-/// What a route does, by hand: way points, bends, width.
+/// What a route does, by hand: waypoints, bends, width.
 pub(crate) fn by_hand() -> Result<[Device; 2]> {
     let [a, b] = corner();
     let points = path_manhattan(&a, &b, 10)?;
@@ -75,7 +75,7 @@ fn coarse_arcs() -> Result<Device> {
     RouteSmoothParams::new(&a, &b).radius(10).smooth_options(coarse).build()
 }
 
-/// Around an obstacle: a J with a longer first leg, a C to the other side, or way points by hand, which begin and end on
+/// Around an obstacle: a J with a longer first leg, a C to the other side, or waypoints by hand, which begin and end on
 /// the ports.
 fn around_an_obstacle() -> Result<[Device; 3]> {
     let [a, b] = corner();
@@ -153,7 +153,7 @@ pub(crate) fn chapters() -> Result<Vec<(&'static str, Vec<Named>)>> {
         ("widths", named(["of the ports", "a number", "from one to another", "a cross-section"], widths()?)),
         ("by_hand", named(["by hand", "route_smooth"], by_hand()?)),
         ("coarse_arcs", vec![("", coarse_arcs()?)]),
-        ("around_an_obstacle", named(["J", "C", "way points by hand"], around_an_obstacle()?)),
+        ("around_an_obstacle", named(["J", "C", "waypoints by hand"], around_an_obstacle()?)),
         ("path_types", vec![("", path_types()?)]),
         ("sweep", vec![("", sweep()?)]),
         ("fan_out", vec![("", fan_out()?)]),

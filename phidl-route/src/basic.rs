@@ -6,11 +6,11 @@ use phidl_core::num::{angle, count};
 use phidl_core::prelude::*;
 use phidl_macros::{Choice, device};
 
-use crate::request::{Request, left_of, opposite};
+use crate::port_pair::{PortPair, left_of, opposite};
 
 /// How something changes between the ends of a [`route_basic`](fn@route_basic).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Choice)]
-pub enum Course {
+pub enum RouteProfile {
     /// As a raised cosine: without a kink at either end.
     #[default]
     Sine,
@@ -18,7 +18,7 @@ pub enum Course {
     Straight,
 }
 
-impl Course {
+impl RouteProfile {
     /// The part of the change that is done at a part `t` of the way.
     fn done(self, t: f64) -> f64 {
         match self {
@@ -60,8 +60,8 @@ const HALVINGS: u32 = 12;
 /// # Examples
 /// ```
 /// # use phidl_core::prelude::*;
-/// # use phidl_route::{Course, route_basic};
-/// let s_bend = route_basic(((0, 0), 1, 0), ((40, 10), 2, 180), Course::Sine, Course::Straight, None, None, 99)?;
+/// # use phidl_route::{RouteProfile, route_basic};
+/// let s_bend = route_basic(((0, 0), 1, 0), ((40, 10), 2, 180), RouteProfile::Sine, RouteProfile::Straight, None, None, 99)?;
 /// assert_eq!(s_bend.port("2")?.width(), 2.0);
 /// # Ok::<(), Error>(())
 /// ```
@@ -75,11 +75,11 @@ pub fn route_basic(
     /// Where it ends.
     port2: Port,
     /// How the centerline goes aside.
-    #[default(Course::Sine)]
-    path_type: Course,
+    #[default(RouteProfile::Sine)]
+    path_type: RouteProfile,
     /// How the width changes.
-    #[default(Course::Straight)]
-    width_type: Course,
+    #[default(RouteProfile::Straight)]
+    width_type: RouteProfile,
     /// Width at the start, that of `port1` if not given.
     #[default(None)]
     #[param(unit = "um", min = 0.0)]
@@ -98,19 +98,16 @@ pub fn route_basic(
 ) -> Result<Device> {
     check.at_least("num_path_pts", num_path_pts, 2)?;
     check.at_most("num_path_pts", num_path_pts, count::MOST)?;
-    let request = Request::new("route_basic", &port1, &port2)?;
-    let line = Line::between(&request, path_type)?;
+    let pair = PortPair::new("route_basic", &port1, &port2)?;
+    let line = Centerline::between(&pair, path_type)?;
     let widths = [width1.unwrap_or(port1.width()), width2.unwrap_or(port2.width())];
-    let stations = line.stations(num_path_pts);
+    let samples = line.samples(num_path_pts);
 
     let mut d = Device::builder("route_basic");
-    d.add_polygon(
-        line.outline(&request, &stations, |t| widths[0] + (widths[1] - widths[0]) * width_type.done(t)),
-        layer,
-    )?;
+    d.add_polygon(line.outline(&pair, &samples, |t| widths[0] + (widths[1] - widths[0]) * width_type.done(t)), layer)?;
     d.add_port("1", port1.flipped().with_width(widths[0]))?;
     d.add_port("2", (port2.midpoint(), widths[1], port1.orientation()))?;
-    let points: Vec<Point> = stations.iter().map(|t| line.at(*t)).collect();
+    let points: Vec<Point> = samples.iter().map(|t| line.at(*t)).collect();
     let length: f64 = points.windows(2).map(|chord| chord[0].distance(chord[1])).sum();
     let radius = line.smallest_radius();
     d.info("length", length).info("bends", if radius.is_some() { 2 } else { 0 }).info("smallest_radius", radius);
@@ -118,67 +115,67 @@ pub fn route_basic(
 }
 
 /// A centerline in the frame of the first port.
-struct Line {
+struct Centerline {
     forwards: f64,
     aside: f64,
-    course: Course,
+    profile: RouteProfile,
 }
 
-impl Line {
-    fn between(request: &Request<'_>, course: Course) -> Result<Self> {
-        if !opposite(request.port1, request.port2) {
-            let turn = angle::between(request.port1.orientation(), request.port2.orientation());
-            return Err(request.refused(format_args!("a turn of {turn}°"), "be between ports turned by 180°"));
+impl Centerline {
+    fn between(pair: &PortPair<'_>, profile: RouteProfile) -> Result<Self> {
+        if !opposite(pair.port1, pair.port2) {
+            let turn = angle::between(pair.port1.orientation(), pair.port2.orientation());
+            return Err(pair.refused(format_args!("a turn of {turn}°"), "be between ports turned by 180°"));
         }
-        let forwards = request.ahead();
+        let forwards = pair.forward_distance();
         match forwards > 0.0 {
-            true => Ok(Self { forwards, aside: request.aside(), course }),
-            false => Err(request.missing("a way ahead", forwards, f64::MIN_POSITIVE)),
+            true => Ok(Self { forwards, aside: pair.lateral_distance(), profile }),
+            false => Err(pair.missing("a way ahead", forwards, f64::MIN_POSITIVE)),
         }
     }
 
     fn at(&self, t: f64) -> Point {
-        Point::new(self.forwards * t, self.aside * self.course.done(t))
+        Point::new(self.forwards * t, self.aside * self.profile.done(t))
     }
 
     /// The unit vector to the left, across which the width is measured.
     fn left_at(&self, t: f64) -> Point {
-        let along = match self.course {
-            Course::Straight => Point::new(self.forwards, 0.0),
-            Course::Sine => Point::new(self.forwards, self.aside * PI * (PI * t).sin() / 2.0),
+        let along = match self.profile {
+            RouteProfile::Straight => Point::new(self.forwards, 0.0),
+            RouteProfile::Sine => Point::new(self.forwards, self.aside * PI * (PI * t).sin() / 2.0),
         };
         left_of(along / along.norm())
     }
 
     /// Where it has points.
-    fn stations(&self, num_path_pts: usize) -> Vec<f64> {
-        let mut stations: Vec<f64> = Vec::with_capacity(num_path_pts);
+    fn samples(&self, num_path_pts: usize) -> Vec<f64> {
+        let mut samples: Vec<f64> = Vec::with_capacity(num_path_pts);
         for t in count::linspace(0.0, 1.0, num_path_pts) {
-            if let Some(before) = stations.last().copied() {
-                self.halve(before, t, HALVINGS, &mut stations);
+            if let Some(before) = samples.last().copied() {
+                self.halve(before, t, HALVINGS, &mut samples);
             }
-            stations.push(t);
+            samples.push(t);
         }
-        stations
+        samples
     }
 
     /// Adds the points between two, as many as keep the chords close to the line.
-    fn halve(&self, from: f64, to: f64, most: u32, stations: &mut Vec<f64>) {
+    fn halve(&self, from: f64, to: f64, most: u32, samples: &mut Vec<f64>) {
         let middle = (from + to) / 2.0;
         let chord = (self.at(from) + self.at(to)) / 2.0;
         if most > 0 && chord.distance(self.at(middle)) > CHORD {
-            self.halve(from, middle, most - 1, stations);
-            stations.push(middle);
-            self.halve(middle, to, most - 1, stations);
+            self.halve(from, middle, most - 1, samples);
+            samples.push(middle);
+            self.halve(middle, to, most - 1, samples);
         }
     }
 
     /// Forwards on the left, back on the right.
-    fn outline(&self, request: &Request<'_>, stations: &[f64], width: impl Fn(f64) -> f64) -> Vec<Point> {
-        let place = |p: Point| request.port1.midpoint() + request.forward1 * p.x + request.left1 * p.y;
+    fn outline(&self, pair: &PortPair<'_>, samples: &[f64], width: impl Fn(f64) -> f64) -> Vec<Point> {
+        let place = |p: Point| pair.port1.midpoint() + pair.forward1 * p.x + pair.left1 * p.y;
         let edge = |side: f64| {
             let at = |t: &f64| place(self.at(*t) + self.left_at(*t) * (side * width(*t) / 2.0));
-            stations.iter().map(at).collect::<Vec<Point>>()
+            samples.iter().map(at).collect::<Vec<Point>>()
         };
         let (mut outline, right) = (edge(1.0), edge(-1.0));
         outline.extend(right.into_iter().rev());
@@ -188,7 +185,7 @@ impl Line {
     /// The curvature L π² cos(πt) / 2F² over the third power of the slope's length is largest at the ends, where the
     /// slope is along the axis.
     fn smallest_radius(&self) -> Option<f64> {
-        let bent = self.course == Course::Sine && self.aside != 0.0;
+        let bent = self.profile == RouteProfile::Sine && self.aside != 0.0;
         bent.then(|| 2.0 * self.forwards.powi(2) / (PI.powi(2) * self.aside.abs()))
     }
 }
@@ -203,7 +200,7 @@ mod tests {
 
     #[test]
     fn a_straight_piece_has_the_area_of_a_trapezoid_and_ends_square_to_its_ports() {
-        let params = RouteBasicParams::new(((0, 0), 1, 0), ((10, 4), 3, 180)).path_type(Course::Straight);
+        let params = RouteBasicParams::new(((0, 0), 1, 0), ((10, 4), 3, 180)).path_type(RouteProfile::Straight);
         let d = params.num_path_pts(2).build().unwrap();
         let outline = d.polygons().next().unwrap();
         let expected = [(0.0, 0.5), (10.0, 5.5), (10.0, 2.5), (0.0, -0.5)].map(Point::from);
@@ -215,7 +212,7 @@ mod tests {
     #[test]
     fn the_smallest_radius_is_that_of_the_circle_through_the_first_points() {
         let d = to(40.0, 10.0, 180.0).unwrap();
-        let line = Line { forwards: 40.0, aside: 10.0, course: Course::Sine };
+        let line = Centerline { forwards: 40.0, aside: 10.0, profile: RouteProfile::Sine };
         let p = line.at(1e-3);
         // A circle that leaves the origin along x goes through (x, y) if its radius is (x² + y²) / 2y.
         let radius = (p.x * p.x + p.y * p.y) / (2.0 * p.y);
@@ -224,13 +221,13 @@ mod tests {
 
     #[test]
     fn chords_stay_close_to_the_line_however_few_points_are_asked_for() {
-        let line = Line { forwards: 30.0, aside: 40.0, course: Course::Sine };
-        let stations = line.stations(5);
-        for pair in stations.windows(2) {
+        let line = Centerline { forwards: 30.0, aside: 40.0, profile: RouteProfile::Sine };
+        let samples = line.samples(5);
+        for pair in samples.windows(2) {
             let chord = (line.at(pair[0]) + line.at(pair[1])) / 2.0;
             assert!(chord.distance(line.at((pair[0] + pair[1]) / 2.0)) <= 0.01);
         }
-        assert!(stations.is_sorted() && stations.len() > 5);
+        assert!(samples.is_sorted() && samples.len() > 5);
     }
 
     #[test]

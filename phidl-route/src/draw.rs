@@ -7,13 +7,13 @@ use phidl_core::Result;
 use phidl_core::layer::Layers;
 use phidl_core::port::Port;
 use phidl_core::scene::DeviceBuilder;
-use phidl_path::{CrossSection, Extrusion, Path, Section};
+use phidl_path::{CrossSection, Extrusion, Overlaps, Path, Section};
 
-use crate::request::{Request, refused};
+use crate::port_pair::{PortPair, refused};
 use crate::width::RouteWidth;
 
 /// A route on its way to a device.
-pub(crate) struct Drawing<'a> {
+pub(crate) struct RouteDrawing<'a> {
     pub(crate) what: &'a str,
     pub(crate) path: &'a Path,
     /// The same line with more points, if the path has few: its chords may fold where its curve does not.
@@ -26,10 +26,10 @@ pub(crate) struct Drawing<'a> {
     pub(crate) smallest_radius: Option<f64>,
 }
 
-impl Drawing<'_> {
+impl RouteDrawing<'_> {
     /// The route with ports on those that it joins.
-    pub(crate) fn between_ports(&self, request: &Request<'_>) -> Result<DeviceBuilder> {
-        let ports = [request.port1, request.port2];
+    pub(crate) fn between_ports(&self, pair: &PortPair<'_>) -> Result<DeviceBuilder> {
+        let ports = [pair.port1, pair.port2];
         let widths = match self.width {
             None => self.port_widths(ports).map(Some)?,
             Some(RouteWidth::Constant(width)) => Some([*width; 2]),
@@ -42,7 +42,7 @@ impl Drawing<'_> {
             (_, Some(widths)) => CrossSection::of_width(widths, self.layer),
             (_, None) => CrossSection::new(),
         };
-        let mut d = self.extruded(&x, request)?;
+        let mut d = self.extruded(&x, pair)?;
         for ((name, port), width) in ["1", "2"].into_iter().zip(ports).zip(widths.into_iter().flatten()) {
             d.add_port(name, port.flipped().with_width(width))?;
         }
@@ -50,19 +50,19 @@ impl Drawing<'_> {
     }
 
     /// The route with ports at the ends of its path, wherever these look.
-    pub(crate) fn on_its_own(&self, request: &Request<'_>) -> Result<DeviceBuilder> {
-        let widths = self.port_widths([request.port1, request.port2])?;
-        self.extruded(&Section::new(widths).layer(self.layer).ports("1", "2").into(), request)
+    pub(crate) fn on_its_own(&self, pair: &PortPair<'_>) -> Result<DeviceBuilder> {
+        let widths = self.port_widths([pair.port1, pair.port2])?;
+        self.extruded(&Section::new(widths).layer(self.layer).ports("1", "2").into(), pair)
     }
 
     /// The route, unless one of its edges folds back.
-    fn extruded(&self, x: &CrossSection, request: &Request<'_>) -> Result<DeviceBuilder> {
+    fn extruded(&self, x: &CrossSection, pair: &PortPair<'_>) -> Result<DeviceBuilder> {
         let drawing = Extrusion::new(self.path, x);
         let drawn = match self.finer {
-            None => drawing.checked().open(),
-            Some(finer) => Extrusion::new(finer, x).checked().open().and_then(|_| drawing.open()),
+            None => drawing.open(),
+            Some(finer) => Extrusion::new(finer, x).open().and_then(|_| drawing.overlaps(Overlaps::Keep).open()),
         };
-        let mut d = drawn.map_err(|error| error.within(format!("{} {}", self.what, request.between())))?;
+        let mut d = drawn.map_err(|error| error.within(format!("{} {}", self.what, pair.between())))?;
         d.rename(self.what);
         d.info("bends", self.bends).info("smallest_radius", self.smallest_radius);
         Ok(d)
@@ -92,7 +92,7 @@ impl Drawing<'_> {
                     self.what,
                     "width",
                     given,
-                    "be of numbers and pairs; extrude others along way points by hand",
+                    "be of numbers and pairs; extrude others along waypoints by hand",
                 ))
             }
         }

@@ -23,7 +23,7 @@
 //! assert_eq!(wire.port("1")?.midpoint(), a.midpoint());
 //! let arcs = route_manhattan(&a, &b, RouteBend::Circular, 10, 1)?;
 //!
-//! // The three steps by hand: way points, bends, width.
+//! // The three steps by hand: waypoints, bends, width.
 //! let by_hand = path_j(&a, &b, 60, 20)?.smoothed(10, EulerBend::new().use_eff())?.extrude_width(5, 1)?;
 //! # Ok::<(), Error>(())
 //! ```
@@ -32,7 +32,7 @@
 //! has ports `1` and `2` that face them; [`route_quad`](fn@route_quad) and [`route_xy`](fn@route_xy) ask nothing of the
 //! directions. A route that cannot be made is an error with both ports and what is missing.
 //!
-//! Way points ([`path_straight`], [`path_l`], [`path_u`], [`path_j`], [`path_c`], [`path_v`], [`path_z`], [`path_xy`],
+//! Waypoints ([`path_straight`], [`path_l`], [`path_u`], [`path_j`], [`path_c`], [`path_v`], [`path_z`], [`path_xy`],
 //! [`path_manhattan`]) are sketches: what the formulas give, to be edited, bent and extruded as you like. Names,
 //! parameters, defaults, ports and drawn points are PHIDL's. A program that names no route but builds some by name links
 //! them with `use phidl_route as _;`.
@@ -41,26 +41,26 @@ mod basic;
 mod draw;
 mod manhattan;
 mod options;
+mod path_type;
+mod port_pair;
 mod quad;
-mod request;
 mod serpentine;
 mod sharp;
 mod smooth;
-mod way;
 mod width;
 mod xy;
 
-pub use basic::{Course, RouteBasicParams, route_basic};
+pub use basic::{RouteBasicParams, RouteProfile, route_basic};
 pub use manhattan::{
     RouteBend, RouteManhattanAutoParams, RouteManhattanParams, manhattan_centerline, path_c, path_j, path_l,
     path_manhattan, path_straight, path_u, path_v, path_z, route_manhattan, route_manhattan_auto,
 };
 pub use options::SmoothOptions;
+pub use path_type::PathType;
 pub use quad::{RouteQuadParams, route_quad};
 pub use serpentine::{DelayLineParams, RouteSerpentineParams, delay_line, route_serpentine, serpentine_centerline};
 pub use sharp::{RouteSharpParams, route_sharp};
 pub use smooth::{RouteSmoothParams, route_smooth};
-pub use way::PathType;
 pub use width::RouteWidth;
 pub use xy::{RouteXyParams, path_xy, route_xy};
 

@@ -57,7 +57,7 @@ impl SmoothOptions {
         matches!(self, Self::Arc { .. } | Self::Euler { use_eff: true, .. })
     }
 
-    /// The same with as many points as usual, if it has less.
+    /// The same with as many points as ordinary, if it has less.
     pub(crate) fn finer(self) -> Option<Self> {
         match self {
             Self::Arc { num_pts } if num_pts < NUM_PTS => Some(Self::arc()),

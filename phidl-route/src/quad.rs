@@ -3,7 +3,7 @@
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
-use crate::request::{Request, left_of};
+use crate::port_pair::{PortPair, left_of};
 
 /// Draws the quadrilateral between two ports.
 ///
@@ -52,13 +52,13 @@ pub fn route_quad(
     #[default(0)]
     layer: Layers,
 ) -> Result<Device> {
-    let request = Request::new("route_quad", &port1, &port2)?;
+    let pair = PortPair::new("route_quad", &port1, &port2)?;
     let widths = [width1.unwrap_or(port1.width()), width2.unwrap_or(port2.width())];
     let mut d = Device::builder("route_quad");
     d.add_polygon(corners([&port1, &port2], widths), layer)?;
     d.add_port("1", port1.flipped().with_width(widths[0]))?;
     d.add_port("2", port2.flipped().with_width(widths[1]))?;
-    d.info("length", request.span().norm()).info("bends", 0).info("smallest_radius", Value::Null);
+    d.info("length", pair.span().norm()).info("bends", 0).info("smallest_radius", Value::Null);
     d.build()
 }
 

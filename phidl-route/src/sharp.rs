@@ -4,9 +4,9 @@ use phidl_core::prelude::*;
 use phidl_macros::device;
 use phidl_path::Path;
 
-use crate::draw::Drawing;
-use crate::request::Request;
-use crate::way::{Way, turns};
+use crate::draw::RouteDrawing;
+use crate::path_type::{WaypointRule, turns};
+use crate::port_pair::PortPair;
 use crate::{PathType, RouteWidth};
 
 /// Draws a wire between two ports, with mitered corners.
@@ -62,7 +62,7 @@ pub fn route_sharp(
     /// Where it is drawn; to be left out with a cross-section, whose sections have layers of their own.
     #[default(0)]
     layer: Layers,
-    /// The way points of a manual way, from port to port.
+    /// The waypoints of a manual way, from port to port.
     #[default(None)]
     #[param(unit = "um", named)]
     manual_path: Option<Vec<Point>>,
@@ -80,12 +80,12 @@ pub fn route_sharp(
     left1: Option<f64>,
 ) -> Result<Device> {
     const NAME: &str = "route_sharp";
-    let request = Request::new(NAME, &port1, &port2)?;
+    let pair = PortPair::new(NAME, &port1, &port2)?;
     let radius = port1.width().max(port2.width());
     let manual_path = manual_path.as_deref();
-    let points = Way { what: NAME, path_type, manual_path, length1, length2, left1, radius }.points(&request)?;
+    let points = WaypointRule { what: NAME, path_type, manual_path, length1, length2, left1, radius }.points(&pair)?;
     let bends = turns(&points).len();
-    let drawing = Drawing {
+    let drawing = RouteDrawing {
         what: NAME,
         path: &Path::from_points(points)?,
         finer: None,
@@ -94,5 +94,5 @@ pub fn route_sharp(
         bends,
         smallest_radius: (bends > 0).then_some(0.0),
     };
-    drawing.between_ports(&request)?.build()
+    drawing.between_ports(&pair)?.build()
 }

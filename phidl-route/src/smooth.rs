@@ -4,9 +4,9 @@ use phidl_core::prelude::*;
 use phidl_macros::device;
 use phidl_path::Path;
 
-use crate::draw::Drawing;
-use crate::request::{Request, refused};
-use crate::way::{Way, turns};
+use crate::draw::RouteDrawing;
+use crate::path_type::{WaypointRule, turns};
+use crate::port_pair::{PortPair, refused};
 use crate::{PathType, RouteWidth, SmoothOptions};
 
 /// Draws a wire between two ports, with a bend at every corner of its way.
@@ -68,7 +68,7 @@ pub fn route_smooth(
     /// Where it is drawn; to be left out with a cross-section, whose sections have layers of their own.
     #[default(0)]
     layer: Layers,
-    /// The way points of a manual way, from port to port.
+    /// The waypoints of a manual way, from port to port.
     #[default(None)]
     #[param(unit = "um", named)]
     manual_path: Option<Vec<Point>>,
@@ -94,14 +94,14 @@ pub fn route_smooth(
         let given = "an Euler bend of this smallest radius";
         return Err(refused(NAME, "smooth_options", given, "have use_eff on a manhattan way, or it has no room"));
     }
-    let request = Request::new(NAME, &port1, &port2)?;
+    let pair = PortPair::new(NAME, &port1, &port2)?;
     let manual_path = manual_path.as_deref();
-    let points = Way { what: NAME, path_type, manual_path, length1, length2, left1, radius }.points(&request)?;
+    let points = WaypointRule { what: NAME, path_type, manual_path, length1, length2, left1, radius }.points(&pair)?;
     let turns = turns(&points);
-    let smooth = |options| Path::smooth(&points, radius, options).map_err(|error| error.within(request.between()));
+    let smooth = |options| Path::smooth(&points, radius, options).map_err(|error| error.within(pair.between()));
     let (path, finer) = (smooth(smooth_options)?, smooth_options.finer().map(smooth).transpose()?);
     let radii = turns.iter().map(|turn| smooth_options.smallest_radius(radius, *turn)).collect::<Result<Vec<_>>>()?;
-    let drawing = Drawing {
+    let drawing = RouteDrawing {
         what: NAME,
         path: &path,
         finer: finer.as_ref(),
@@ -110,5 +110,5 @@ pub fn route_smooth(
         bends: turns.len(),
         smallest_radius: radii.into_iter().reduce(f64::min),
     };
-    drawing.between_ports(&request)?.build()
+    drawing.between_ports(&pair)?.build()
 }

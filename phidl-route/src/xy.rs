@@ -5,9 +5,9 @@ use phidl_macros::device;
 use phidl_path::Path;
 
 use crate::RouteWidth;
-use crate::draw::Drawing;
-use crate::request::{Request, refused};
-use crate::way::turns;
+use crate::draw::RouteDrawing;
+use crate::path_type::turns;
+use crate::port_pair::{PortPair, refused};
 
 /// Steps up to this long (µm) are passed over.
 const SHORTEST: f64 = 1e-6;
@@ -76,10 +76,10 @@ pub fn route_xy(
     layer: Layers,
 ) -> Result<Device> {
     const NAME: &str = "route_xy";
-    let request = Request::new(NAME, &port1, &port2)?;
+    let pair = PortPair::new(NAME, &port1, &port2)?;
     let points = steps(NAME, port1.midpoint(), port2.midpoint(), &directions)?;
     let bends = turns(&points).len();
-    let drawing = Drawing {
+    let drawing = RouteDrawing {
         what: NAME,
         path: &Path::from_points(points)?,
         finer: None,
@@ -89,12 +89,12 @@ pub fn route_xy(
         smallest_radius: (bends > 0).then_some(0.0),
     };
     match width {
-        None => drawing.on_its_own(&request)?.build(),
-        Some(_) => drawing.between_ports(&request)?.build(),
+        None => drawing.on_its_own(&pair)?.build(),
+        Some(_) => drawing.between_ports(&pair)?.build(),
     }
 }
 
-/// The way points, ends included.
+/// The waypoints, ends included.
 fn steps(what: &str, from: Point, to: Point, directions: &str) -> Result<Vec<Point>> {
     let directions = directions.to_ascii_lowercase();
     if let Some(other) = directions.chars().find(|letter| !matches!(letter, 'x' | 'y')) {

@@ -4,8 +4,8 @@ use phidl_core::Result;
 use phidl_core::geom::Point;
 use phidl_core::num::{angle, count};
 
-use super::{Curve, Part};
-use crate::sampling::MOST_CHORDS;
+use super::{Curve, CurveSegment};
+use crate::sampling::{MOST_CHORDS, WIDEST_CHORD};
 use crate::{ArcBend, Path, rule};
 
 /// An arc from the origin heading right; it turns left if its angle is positive.
@@ -14,9 +14,6 @@ pub(crate) struct Arc {
     radius: f64,
     degrees: f64,
 }
-
-/// No chord spans more than this (degrees), however large the tolerance is: a bend stays a bend.
-pub(crate) const WIDEST_CHORD: f64 = 120.0;
 
 impl Path {
     /// A circular arc from the origin heading right, with 720 points per full turn; a negative angle turns right.
@@ -45,7 +42,7 @@ impl Arc {
         Ok(Self { radius, degrees })
     }
 
-    /// How far it turns, to the left if positive.
+    /// The turn (degrees), to the left if positive.
     pub(crate) fn degrees(self) -> f64 {
         self.degrees
     }
@@ -58,17 +55,17 @@ impl Arc {
         Point::new(0.0, self.radius * self.degrees.signum())
     }
 
-    /// The arc as the specification samples it: `num_pts` per full turn, cut off to a whole number, and at least the
-    /// two ends (of which the reference leaves out one or both at small angles).
+    /// The arc as PHIDL samples it: `num_pts` per full turn, truncated to a whole number, and at least the two ends (of
+    /// which PHIDL omits one or both at small angles).
     pub(crate) fn path(self, num_pts: f64) -> Result<Path> {
-        rule::point_count("arc", num_pts)?;
+        rule::point_count("arc", num_pts, self.degrees)?;
         let points = self.evenly(count_of(num_pts, self.degrees).max(2));
-        let part = Part::new(Curve::Arc(self), points.len() - 1);
+        let part = CurveSegment::new(Curve::Arc(self), points.len() - 1);
         Ok(Path::from_curve(points, vec![part], 0.0, self.degrees))
     }
 
-    /// The fewest points between the ends, evenly spaced; nothing if that is too many.
-    pub(crate) fn between_ends(self, tolerance: f64) -> Option<Vec<Point>> {
+    /// The fewest points between the ends, evenly spaced; `None` if there are too many.
+    pub(crate) fn inner_points(self, tolerance: f64) -> Option<Vec<Point>> {
         let fewest = count::up(self.degrees.abs() / WIDEST_CHORD);
         let chords = count::for_tolerance(self.radius, self.degrees, tolerance).max(fewest);
         (chords <= MOST_CHORDS).then(|| {
@@ -79,10 +76,10 @@ impl Arc {
         })
     }
 
-    /// So many points at even angles, both ends included.
+    /// `count` points at even angles, both ends included.
     ///
-    /// Every sixteenth point, and the last, is taken from its angle; those behind it are that one turned by one to
-    /// fifteen steps, which costs a fifth of a sine and a cosine and half of the last bit.
+    /// Every sixteenth point and the last are computed from their angles. The others are rotated by one to fifteen steps
+    /// from there, which costs a fifth of a sine and a cosine and half of the last bit.
     fn evenly(self, count: usize) -> Vec<Point> {
         const STRIDE: usize = 16;
         let (from, turn, last) = (-90.0, self.degrees.abs(), (count - 1) as f64);
@@ -110,9 +107,9 @@ impl Arc {
     }
 }
 
-/// Points of a bend at `num_pts` per full turn, cut off.
+/// The number of points of a bend at `num_pts` per full turn, truncated.
 pub(crate) fn count_of(num_pts: f64, degrees: f64) -> usize {
-    // The order of operations is the specification's: 720 · 89.99999999999999 / 360 is cut off to 179.
+    // The order of operations is PHIDL's: 720 · 89.99999999999999 / 360 is truncated to 179.
     count::nearest((num_pts * degrees / 360.0).abs().floor())
 }
 

@@ -1,4 +1,4 @@
-//! The Euler bend: curvature that rises and falls linearly, with a circular arc between if wished.
+//! The Euler bend: curvature that rises and falls linearly, with an optional circular arc between.
 //!
 //! F. Vogelbacher, S. Nevlacsil, M. Sagmeister, J. Kraft, K. Unterrainer, R. Hainberger, "Analysis of silicon nitride
 //! partial Euler waveguide bends", Optics Express 27, 31394 (2019).
@@ -8,25 +8,25 @@ use phidl_core::geom::{Matrix, Point, Transform};
 use phidl_core::num::{angle, count};
 
 use super::fresnel::Clothoid;
-use super::{Curve, Part, arc, even_chords};
-use crate::sampling::{self, Turning};
+use super::{Curve, CurveSegment, arc};
+use crate::sampling::ParamCurve;
 use crate::{EulerBend, Path, rule};
 
-/// Beyond this the effective radius means nothing any more (degrees): tan(angle / 2) changes its sign at a half turn.
+/// Largest angle with an effective radius (degrees): tan(angle / 2) changes its sign at a half turn.
 const MOST_EFFECTIVE: f64 = 190.0;
 
-/// Beyond this (degrees) the Fresnel series of both halves loses more than four of its sixteen digits to cancellation.
+/// Largest angle (degrees): beyond it the Fresnel series of both halves loses more than four digits to cancellation.
 const MOST_DEGREES: f64 = 1440.0;
 
 /// Distance from a half turn within which the effective radius is taken from its limit (degrees).
 const HALF_TURN: f64 = 1e-3;
 
-/// An Euler bend from the origin heading right. Its own unit of length is that of a clothoid whose curvature is the
-/// length from its start; `scale` of them are a micrometer's worth.
+/// An Euler bend from the origin heading right. Its own unit of length is that of a clothoid whose curvature equals the
+/// length from its start; `scale` converts it to micrometers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Euler {
     degrees: f64,
-    /// Part of the turn that the clothoids take.
+    /// Fraction of the turn in the clothoids.
     p: f64,
     /// Length of each clothoid.
     clothoid: f64,
@@ -35,7 +35,7 @@ pub(crate) struct Euler {
     curve: Clothoid,
     /// Length of the whole bend.
     length: f64,
-    /// Shape of the second half: the image of the first, run through backwards.
+    /// The reflection that maps the first half to the reversed second half.
     second_half: Matrix,
     scale: f64,
 }
@@ -86,21 +86,21 @@ impl Euler {
         bend
     }
 
-    /// How far it turns, to the left if positive.
+    /// The turn (degrees), to the left if positive.
     pub(crate) fn degrees(self) -> f64 {
         self.degrees
     }
 
-    /// The bend as the specification samples it, with what it records.
+    /// The bend as PHIDL samples it, with its info.
     pub(crate) fn path(self, num_pts: f64) -> Result<Path> {
-        rule::point_count("euler", num_pts)?;
+        rule::point_count("euler", num_pts, self.degrees)?;
         let half = self.half_points(arc::count_of(num_pts, self.degrees));
         let second = half.iter().rev().map(|p| self.second_half.apply(*p));
         let points: Vec<Point> =
             half[..half.len() - 1].iter().copied().chain(second).map(|p| self.in_micrometers(p)).collect();
-        // The reference gives the end of a right turn within one turn here, and not with an arc.
+        // PHIDL normalizes the end direction of a right turn here, but not that of an arc.
         let end = if self.degrees < 0.0 { (360.0 + self.degrees).rem_euclid(360.0) } else { self.degrees };
-        let part = Part::new(Curve::Euler(self), points.len() - 1);
+        let part = CurveSegment::new(Curve::Euler(self), points.len() - 1);
         let mut path = Path::from_curve(points, vec![part], 0.0, end);
         if self.degrees.abs() <= MOST_EFFECTIVE {
             path.set_info("Reff", self.effective_radius() * self.scale);
@@ -109,13 +109,13 @@ impl Euler {
         Ok(path)
     }
 
-    /// The points of the first half, both ends included: `n` shared out among clothoid and arc.
+    /// The points of the first half, both ends included: `n` distributed over clothoid and arc.
     fn half_points(&self, n: usize) -> Vec<Point> {
         let middle = self.length / 2.0;
-        // With this order of operations halves are rounded as in the specification.
+        // With this order of operations halves are rounded as in PHIDL.
         let on_clothoid = if n <= 2 { 0 } else { count::nearest(n as f64 * (self.clothoid / middle)) };
         let on_arc = n.saturating_sub(on_clothoid);
-        // The reference draws a piece with too few points not at all, and what comes after it in a wrong place.
+        // PHIDL omits a piece with too few points, and misplaces what follows.
         let on_clothoid = on_clothoid.max(2);
         let on_arc = if self.p < 1.0 { on_arc.max(2) } else { on_arc };
         let lengths: Vec<f64> = count::linspace(0.0, self.clothoid, on_clothoid).collect();
@@ -124,16 +124,7 @@ impl Euler {
         points
     }
 
-    /// The fewest points strictly between the ends that keep every chord within a tolerance (µm); nothing if that is too
-    /// many.
-    pub(crate) fn between_ends(&self, tolerance: f64) -> Option<Vec<Point>> {
-        let own = even_chords::between_ends(self, tolerance / self.scale);
-        let placed = own.map(|points| points.into_iter().map(|p| self.in_micrometers(p)).collect());
-        placed.or_else(|| sampling::between_ends(self, tolerance))
-    }
-
-    /// How many of its own units of length a micrometer is worth.
-    #[cfg(test)]
+    /// Micrometers per unit of length of its own.
     pub(super) fn scale(&self) -> f64 {
         self.scale
     }
@@ -148,7 +139,7 @@ impl Euler {
         self.length - 2.0 * self.clothoid
     }
 
-    /// The points at lengths from the start, up to the middle and in rising order; as for all of these, turning left.
+    /// The points at lengths from the start, up to the middle and in rising order, for a left turn in its own unit.
     pub(super) fn first_half_at(&self, lengths: &[f64]) -> Vec<Point> {
         let on_clothoid = lengths.partition_point(|s| *s <= self.clothoid);
         let mut points = self.curve.at_each(&lengths[..on_clothoid]);
@@ -156,7 +147,7 @@ impl Euler {
         points
     }
 
-    /// The point as far before the end as a point is behind the start.
+    /// The point as far before the end as the given point is after the start.
     pub(super) fn mirrored(&self, p: Point) -> Point {
         self.second_half.apply(p)
     }
@@ -193,12 +184,12 @@ impl Euler {
         end.y - sin / cos * end.x
     }
 
-    fn in_micrometers(&self, unit: Point) -> Point {
+    pub(super) fn in_micrometers(&self, unit: Point) -> Point {
         Point::new(unit.x * self.scale, unit.y * self.scale * self.degrees.signum())
     }
 }
 
-impl Turning for Euler {
+impl ParamCurve for Euler {
     fn span(&self) -> f64 {
         self.length
     }
@@ -223,11 +214,11 @@ impl Turning for Euler {
         left * self.degrees.signum()
     }
 
-    fn pace(&self, _: f64) -> f64 {
+    fn speed(&self, _: f64) -> f64 {
         self.scale
     }
 
-    fn place_of(&self, heading: f64, from: f64, to: f64) -> f64 {
+    fn parameter_of(&self, heading: f64, from: f64, to: f64) -> f64 {
         let joint = self.clothoid * self.clothoid / 2.0;
         let after = |turned: f64| match turned <= joint {
             true => (2.0 * turned.max(0.0)).sqrt(),
@@ -252,7 +243,7 @@ fn check(radius: f64, degrees: f64, p: f64, use_eff: bool) -> Result<()> {
     if use_eff {
         bound(MOST_EFFECTIVE, " for use_eff")?;
     }
-    // A clothoid that turns less than any double tells apart is none.
+    // Smaller clothoids underflow.
     match p > 0.0 && p <= 1.0 && (p * degrees.abs()).is_normal() {
         true => Ok(()),
         false => Err(rule::refused("euler", "p", p, "be from 0 to 1")),
@@ -264,7 +255,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn bends_end_where_the_specification_says() {
+    fn bends_end_where_those_of_the_reference_do() {
         let bends = [
             (EulerBend::new().path(3, 90), 359, (5.610_287_54, 5.610_287_54)),
             (EulerBend::new().p(0.5).path(3, 90), 357, (4.248_750_208, 4.248_750_208)),
@@ -301,7 +292,7 @@ mod tests {
     }
 
     #[test]
-    fn what_bends_cannot_be_is_refused() {
+    fn invalid_bends_are_refused() {
         assert!(Path::euler(3, 0).is_err() && Path::euler(-3, 90).is_err() && Path::euler(3, 2000).is_err());
         assert!(EulerBend::new().p(1.1).path(3, 90).is_err() && EulerBend::new().p(-0.1).path(3, 90).is_err());
         let error = EulerBend::new().use_eff().path(3, 270).unwrap_err();

@@ -1,8 +1,8 @@
 //! The clothoid whose curvature is the length from its start: the Fresnel integrals, several at once.
 //!
-//! Their power series are summed as polynomials with as many terms as the longest clothoid at hand calls for, in blocks of
-//! points, which the compiler turns into vector code. The reference stops after eight terms and so misses the end of a full
-//! turn by 3e-7 of the radius. A rational approximation would be faster still, but right to nine digits only.
+//! Their power series are summed as polynomials with as many terms as the longest clothoid needs, in blocks of points, which
+//! the compiler vectorizes. PHIDL stops after eight terms and so misses the end of a full turn by 3e-7 of the radius. A
+//! rational approximation would be faster, but has only nine correct digits.
 
 use std::f64::consts::SQRT_2;
 

@@ -1,9 +1,8 @@
-//! The curves that paths are made of, each with its formula, its source and the specification's sampling.
+//! The curves of paths, each with its formula, its source and PHIDL's sampling.
 //!
-//! A path keeps beside its points what each stretch of them is ([`Part`]): so it can be drawn anew with other points
-//! (see [`Path::with_tolerance`](crate::Path::with_tolerance)), and an arc stays an arc. The alternative, a path made of
-//! curves alone, would have to choose points anew in every extrusion, and two extrusions of one path would not share
-//! their vertices.
+//! A path keeps its points and the curves on which they lie ([`CurveSegment`]). So it can be sampled again with other
+//! points (see [`Path::with_tolerance`](crate::Path::with_tolerance)), and an arc stays an arc. The alternative, a path of
+//! curves alone, would choose its points in every extrusion, and two extrusions of one path would not share vertices.
 
 mod arc;
 mod euler;
@@ -15,20 +14,20 @@ mod straight;
 use phidl_core::geom::{Point, Transform};
 use phidl_core::num::angle;
 
-pub(crate) use arc::{Arc, WIDEST_CHORD};
+pub(crate) use arc::Arc;
 pub(crate) use euler::Euler;
 pub(crate) use spiral::Arm;
 pub use spiral::Spiral;
 
 use crate::direction;
-use crate::sampling::{self, Turning as _};
+use crate::sampling::{self, ParamCurve as _};
 
-/// What a stretch of a path's points lies on, in coordinates of its own.
+/// The curve on which points of a path lie, in coordinates of its own.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Curve {
-    /// Nothing but its points.
+    /// A list of points.
     Points,
-    /// A straight line, whatever number of points is on it.
+    /// A straight line with any number of points on it.
     Line,
     /// A circular arc.
     Arc(Arc),
@@ -40,17 +39,19 @@ pub(crate) enum Curve {
 
 impl Curve {
     /// The fewest points strictly between the ends that keep every chord within `tolerance` of the curve, in its own
-    /// coordinates; nothing if that is too many. A list of points has none but its own.
-    fn between_ends(&self, tolerance: f64) -> Option<Vec<Point>> {
+    /// coordinates; `None` if there are too many.
+    fn inner_points(&self, tolerance: f64) -> Option<Vec<Point>> {
         match self {
             Self::Points | Self::Line => Some(Vec::new()),
-            Self::Arc(arc) => arc.between_ends(tolerance),
-            Self::Euler(euler) => euler.between_ends(tolerance),
-            Self::Arm(arm) => sampling::between_ends(arm, tolerance),
+            Self::Arc(arc) => arc.inner_points(tolerance),
+            Self::Euler(euler) => {
+                even_chords::inner_points(euler, tolerance).or_else(|| sampling::inner_points(euler, tolerance))
+            }
+            Self::Arm(arm) => sampling::inner_points(arm, tolerance),
         }
     }
 
-    /// The directions in which the curve starts and ends (degrees), if it says so itself.
+    /// The directions of the start and the end (degrees); `None` for a list of points.
     fn directions(&self) -> Option<(f64, f64)> {
         match self {
             Self::Points => None,
@@ -62,36 +63,36 @@ impl Curve {
     }
 }
 
-/// A stretch of a path's points: from the end of the part before to `end`.
+/// A run of points of a path on one curve: from the end of the previous segment to `end`.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Part {
-    /// What the points lie on.
+pub(crate) struct CurveSegment {
+    /// The curve of the points.
     pub(crate) curve: Curve,
-    /// Where the curve is.
+    /// From the coordinates of the curve to those of the path.
     pub(crate) place: Transform,
-    /// Number of the last point.
+    /// Index of the last point.
     pub(crate) end: usize,
 }
 
-impl Part {
+impl CurveSegment {
     pub(crate) fn new(curve: Curve, end: usize) -> Self {
         Self { curve, place: Transform::IDENTITY, end }
     }
 
-    /// The fewest points strictly between the ends that keep the tolerance; those that are `given` stay if the part is
-    /// nothing but its points. Nothing if that is too many.
-    pub(crate) fn between_ends(&self, given: &[Point], tolerance: f64) -> Option<Vec<Point>> {
+    /// The fewest points strictly between the ends that keep the tolerance; `None` if there are too many. The points
+    /// `given` are kept if the curve is a list of points.
+    pub(crate) fn inner_points(&self, given: &[Point], tolerance: f64) -> Option<Vec<Point>> {
         if self.curve == Curve::Points {
             return Some(given.to_vec());
         }
         let matrix = self.place.matrix();
-        let own = self.curve.between_ends(tolerance / self.place.magnification)?;
+        let own = self.curve.inner_points(tolerance / self.place.magnification)?;
         Some(own.into_iter().map(|p| matrix.apply(p)).collect())
     }
 
-    /// The circle on which its points lie evenly, if it is an arc of `chords` chords that are not too coarse for a miter.
+    /// The circle on which its points lie evenly, if it is an arc of `chords` chords that are fine enough for miters.
     pub(crate) fn circle(&self, chords: usize) -> Option<Circle> {
-        /// With wider chords (degrees) a miter is no matter of a radius any more.
+        /// With wider chords (degrees) a miter no longer follows from the radius.
         const WIDEST: f64 = 90.0;
         let Curve::Arc(arc) = &self.curve else { return None };
         let step = arc.degrees().abs() / chords as f64;
@@ -104,7 +105,7 @@ impl Part {
         })
     }
 
-    /// Sum of its chords (µm); `points` are its points.
+    /// Sum of its chords (µm).
     pub(crate) fn length(&self, points: &[Point]) -> f64 {
         let chords = points.len() - 1;
         match self.circle(chords) {
@@ -113,12 +114,12 @@ impl Part {
         }
     }
 
-    /// The same part further on in a path, put through a transform.
+    /// The same segment, transformed, behind other points of a path.
     pub(crate) fn moved(&self, points_before: usize, by: &Transform) -> Self {
         Self { curve: self.curve.clone(), place: self.place.then(by), end: self.end + points_before }
     }
 
-    /// The directions in which the stretch starts and ends (degrees); `points` are its points, at least two.
+    /// The directions of its start and end (degrees); `points` are its points, at least two.
     pub(crate) fn directions(&self, points: &[Point]) -> (f64, f64) {
         match (self.curve.directions(), points) {
             (Some((start, end)), _) => (self.place.apply_direction(start), self.place.apply_direction(end)),
@@ -130,7 +131,7 @@ impl Part {
     }
 }
 
-/// What evenly spaced points of a path lie on.
+/// A circle with evenly spaced points of a path on it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Circle {
     center: Point,
@@ -146,13 +147,13 @@ impl Circle {
         2.0 * self.radius * angle::sin_cos(self.step / 2.0).0
     }
 
-    /// By how much longer per micrometer a parallel to the right is: the curvature of the chords.
+    /// The relative growth in length of a parallel per micrometer to the right: the curvature of the chords.
     pub(crate) fn bend(&self) -> f64 {
         let bend = 1.0 / (self.radius * angle::sin_cos(self.step / 2.0).1);
         if self.to_the_left { bend } else { -bend }
     }
 
-    /// The miter at one of the points: along the radius, as long as the chords call for.
+    /// The miter at one of the points: along the radius, with the length that the chords require.
     pub(crate) fn miter(&self) -> impl Fn(&Point) -> Point + use<> {
         let (center, bend) = (self.center, self.bend());
         move |p| (*p - center) * bend

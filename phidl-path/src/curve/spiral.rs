@@ -7,11 +7,11 @@ use phidl_core::geom::{Point, Transform};
 use phidl_core::num::count;
 use phidl_core::place::Movable as _;
 
-use super::{Curve, Part};
-use crate::sampling::Turning;
+use super::{Curve, CurveSegment};
+use crate::sampling::ParamCurve;
 use crate::{Path, direction, rule};
 
-/// A double spiral: a path that winds in along one arm and out along the other, as delay lines do.
+/// A double spiral: a path that winds in along one arm and out along the other, as in delay lines.
 ///
 /// The arms are Archimedean, r = a + b φ, and two arcs of opposite curvature through the origin join them.
 ///
@@ -23,13 +23,13 @@ use crate::{Path, direction, rule};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spiral {
-    /// Turns of the first arm, about; more than 1. The part after the point is given to one arm or the other.
+    /// Approximate number of turns of the first arm; more than 1. A fraction lengthens one arm or the other.
     pub num_turns: f64,
     /// Distance between neighboring turns (µm), center to center; more than 0.
     pub gap: f64,
     /// Distance between the innermost turns (µm); more than 0.
     pub inner_gap: f64,
-    /// About how many points the whole path has.
+    /// Approximate number of points of the whole path.
     pub num_pts: f64,
 }
 
@@ -53,8 +53,8 @@ impl Spiral {
     /// The spiral as a path, its center at the origin.
     ///
     /// # Errors
-    /// [`Error::Param`](phidl_core::Error::Param) unless the bounds of the fields hold and `num_pts` gives every piece
-    /// at least two points.
+    /// [`Error::Param`](phidl_core::Error::Param) unless the bounds of the fields hold and `num_pts` is enough for two points
+    /// on each curve and at most [`count::MOST`].
     pub fn path(self) -> Result<Path> {
         self.check()?;
         let arm = self.arm();
@@ -72,10 +72,10 @@ impl Spiral {
         }
         rule::positive_length("spiral", "gap", self.gap)?;
         rule::positive_length("spiral", "inner_gap", self.inner_gap)?;
-        rule::point_count("spiral", self.num_pts)
+        rule::point_count("spiral", self.num_pts, 360.0)
     }
 
-    /// The angles at which the two arms end (radians); the second one is never the smaller.
+    /// The angles at which the two arms end (radians); the second is at least the first.
     fn ends(self) -> (f64, f64) {
         let whole = self.num_turns.floor();
         let rest = self.num_turns - whole;
@@ -84,12 +84,12 @@ impl Spiral {
         (PI * half_turns.0 + FRAC_PI_2, PI * half_turns.1 + FRAC_PI_2)
     }
 
-    /// The radius law, from where the arms begin.
+    /// The radius law at the start of the arms.
     fn arm(self) -> Arm {
         Arm { a: (self.inner_gap - self.gap) / 2.0, b: self.gap / PI, from: FRAC_PI_2, to: FRAC_PI_2 }
     }
 
-    /// Radius and sweep (degrees) of the arcs in the middle.
+    /// Radius and sweep (degrees) of the central arcs.
     fn center_shape(self, arm: Arm) -> (f64, f64) {
         let slope = arm.b / (arm.a + arm.b * FRAC_PI_2);
         let radius = self.inner_gap * (1.0 + slope * slope).sqrt() / 4.0;
@@ -97,7 +97,7 @@ impl Spiral {
         (radius, sweep)
     }
 
-    /// How many points the center arc, the first arm, and the rest of the second arm get: by length, about.
+    /// The numbers of points of the center arc, the first arm, and the rest of the second arm: roughly by length.
     fn shares(self, arm: Arm, end_1: f64, end_2: f64) -> Result<[usize; 3]> {
         let weight = |end: f64| {
             ((arm.a + end * arm.b).powi(2) + arm.b * arm.b).powf(1.5) / (3.0 * (arm.a * arm.b + end * arm.b * arm.b))
@@ -110,7 +110,7 @@ impl Spiral {
         let shares = [share(center), on_1, share(weight(end_2)).saturating_sub(on_1)];
         match shares[0] >= 2 && shares[1] >= 2 {
             true => Ok(shares),
-            false => Err(rule::refused("spiral", "num_pts", self.num_pts, "be enough for two points on each piece")),
+            false => Err(rule::refused("spiral", "num_pts", self.num_pts, "be enough for two points on each curve")),
         }
     }
 
@@ -126,7 +126,7 @@ impl Spiral {
     }
 }
 
-/// Second arm inwards, center arc backwards, center arc, first arm outwards; every joint once.
+/// The second arm inwards, the center arc backwards, the center arc, and the first arm outwards, with each joint once.
 fn joined(arm: Arm, arm_2: &[f64], center: &Path, arm_1: &[f64]) -> Result<Path> {
     let mut points: Vec<Point> = arm_2.iter().rev().map(|angle| -arm.point(*angle)).collect();
     let mut ends = vec![points.len() - 1];
@@ -147,15 +147,16 @@ fn joined(arm: Arm, arm_2: &[f64], center: &Path, arm_1: &[f64]) -> Result<Path>
         (second_arc, second_place),
         (Curve::Arm(outwards), Transform::IDENTITY),
     ];
-    let parts = curves.into_iter().zip(ends).map(|((curve, place), end)| Part { curve, place, end }).collect();
+    let segments =
+        curves.into_iter().zip(ends).map(|((curve, place), end)| CurveSegment { curve, place, end }).collect();
     let n = points.len();
     let start = direction::of_segment(points[0], points[1]);
     let end = direction::of_segment(points[n - 2], points[n - 1]);
-    Ok(Path::from_curve(points, parts, start, end))
+    Ok(Path::from_curve(points, segments, start, end))
 }
 
-/// The two arcs in the middle with their places. The first is the second one turned by half a turn and run through
-/// backwards: an arc from there that turns the other way.
+/// The two central arcs with their transforms. The first is the second one rotated by half a turn and reversed: an arc
+/// that turns the other way.
 fn center_parts(center: &Path) -> Result<[(Curve, Transform); 2]> {
     let (end, degrees) = (center.end(), center.end_angle() - center.start_angle());
     let radius = center.end().norm() / 2.0 / (degrees / 2.0 * PI / 180.0).sin();
@@ -178,7 +179,7 @@ impl Arm {
     }
 }
 
-impl Turning for Arm {
+impl ParamCurve for Arm {
     fn span(&self) -> f64 {
         (self.to - self.from).abs()
     }
@@ -193,7 +194,7 @@ impl Turning for Arm {
         if self.to >= self.from { outwards } else { outwards + PI }
     }
 
-    fn pace(&self, t: f64) -> f64 {
+    fn speed(&self, t: f64) -> f64 {
         (self.a + self.b * self.angle(t)).hypot(self.b)
     }
 }
@@ -207,7 +208,7 @@ mod tests {
     }
 
     #[test]
-    fn spirals_are_those_of_the_specification() {
+    fn spirals_are_those_of_the_reference() {
         let cases = [
             (Spiral::default().path().unwrap(), 9995, (0.010_945_25, 5.999_409_296), (0.0, 5.0), 95.864_549_448),
             (spiral(1.5, 1., 2., 100.), 95, (0.167_319_797, 1.965_865_315), (0.0, -2.0), 12.282_384_28),

@@ -4,15 +4,15 @@ use phidl_core::Result;
 use phidl_core::geom::Point;
 use phidl_core::num::count;
 
-use super::{Curve, Part};
+use super::{Curve, CurveSegment};
 use crate::{Path, rule};
 
-/// How many points a straight piece has if nobody says.
+/// Default number of points of a straight piece.
 const NUM_PTS: usize = 100;
 
 impl Path {
-    /// A straight piece from the origin to the right, with 100 evenly spaced points: enough to follow a width or an
-    /// offset that changes along the way. For a piece of two points see [`Path::line`].
+    /// A straight piece from the origin to the right, with 100 evenly spaced points: enough for a width or an offset that
+    /// changes along the path. For a piece of two points see [`Path::line`].
     ///
     /// # Errors
     /// [`Error::Param`](phidl_core::Error::Param) unless the length (µm) is at least 0 and finite.
@@ -20,7 +20,7 @@ impl Path {
         Self::straight_of(length, NUM_PTS)
     }
 
-    /// A straight piece of two points: what corners are made of.
+    /// A straight piece of two points, for paths with corners.
     ///
     /// ```
     /// # use phidl_path::Path;
@@ -48,7 +48,7 @@ impl Path {
             return Err(rule::refused("straight", "num_pts", num_pts, format!("be from 2 to {}", count::MOST)));
         }
         let points = count::linspace(0.0, length, num_pts).map(|x| Point::new(x, 0.0)).collect();
-        Ok(Self::from_curve(points, vec![Part::new(Curve::Line, num_pts - 1)], 0.0, 0.0))
+        Ok(Self::from_curve(points, vec![CurveSegment::new(Curve::Line, num_pts - 1)], 0.0, 0.0))
     }
 }
 
@@ -64,7 +64,7 @@ mod tests {
     }
 
     #[test]
-    fn lengths_and_counts_that_cannot_be_are_refused() {
+    fn invalid_lengths_and_counts_are_refused() {
         assert!(Path::straight(-1).is_err());
         assert!(Path::straight(f64::NAN).is_err());
         let error = Path::straight_of(1, 1).unwrap_err();

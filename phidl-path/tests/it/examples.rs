@@ -1,4 +1,4 @@
-//! The examples run, and the tutorial's steps draw what they should.
+//! The examples run, and the chapters of the tutorial match the reference.
 
 #[path = "../../examples/bends.rs"]
 mod bends;
@@ -12,8 +12,8 @@ fn examples_run() {
 }
 
 #[test]
-fn the_path_of_the_tutorial_is_the_reference_s() {
-    // Points, length and hash of the specification.
+fn the_path_of_the_tutorial_is_that_of_the_reference() {
+    // Points, length and hash of the reference.
     let path = waveguide_tutorial::pieces().unwrap();
     assert_eq!(path.points().len(), 1112);
     assert!((path.length() - 107.699_010_586).abs() < 1e-8);

@@ -1,7 +1,7 @@
 //! Laws that hold for every path.
 
 use phidl_core::prelude::*;
-use phidl_path::{ArcBend, CrossSection, EulerBend, Path};
+use phidl_path::{ArcBend, CrossSection, EulerBend, Extrusion, Overlaps, Path, Section, TransitionShape, transition};
 use proptest::prelude::*;
 use testkit::laws::placement_laws;
 use testkit::strategies::{angle, point, transform};
@@ -56,7 +56,7 @@ proptest! {
     }
 
     #[test]
-    fn placement_words_undo_each_other(path in path(), by in point(), degrees in angle()) {
+    fn placement_methods_are_inverted_by_their_opposites(path in path(), by in point(), degrees in angle()) {
         let there = path.clone().rotated_about(degrees, by).moved_by(by);
         prop_assert!(close(&there.moved_by(-by).rotated_about(-degrees, by), &path));
         let line = (by, by + Point::new(1.0, degrees));
@@ -112,7 +112,7 @@ proptest! {
 
     #[test]
     fn mirroring_the_path_mirrors_the_drawing(path in path(), width in 0.1..1.0f64, offset in -1.0..1.0f64) {
-        let section = || phidl_path::Section::new(width).layer(1).ports("in", "out");
+        let section = || Section::new(width).layer(1).ports("in", "out");
         let x = CrossSection::new().add(section().offset(offset));
         let drawn = path.extrude(&x).unwrap();
         let mirrored = path.mirrored((0, 0), (1, 0)).extrude(&x.mirrored()).unwrap();
@@ -129,9 +129,39 @@ proptest! {
     fn a_strip_has_the_area_of_its_width_times_its_length_along_its_middle(radius in 3.0..40.0f64, degrees in 5.0..350.0f64) {
         // Pappus: the middle of the strip is the path.
         let path = Path::arc(radius, degrees).unwrap();
-        let strip = path.extrude_checked(&CrossSection::of_width(2, 1)).unwrap();
+        let strip = path.extrude(&CrossSection::of_width(2, 1)).unwrap();
         let area = strip.polygons().next().unwrap().area();
         prop_assert!((area / (2.0 * radius * degrees.to_radians()) - 1.0).abs() < 1e-3);
+    }
+
+    #[test]
+    fn no_section_of_a_coplanar_transition_overlaps_or_leaves_another(
+        path in path(),
+        ends in [(0.2..4.0f64, 0.1..3.0f64), (0.2..4.0f64, 0.1..3.0f64)],
+        shape in prop_oneof![Just(TransitionShape::Sine), Just(TransitionShape::Linear)],
+        by_offset in any::<bool>(),
+    ) {
+        // Strip, gaps and grounds by the edges of others, or by numbers that meet at both ends.
+        let [from, to] = ends.map(|(strip, gap)| if by_offset { cpw_by_offsets(strip, gap) } else { cpw(strip, gap) });
+        // From left to right: ground, gap, strip, gap, ground; the second one is mirrored.
+        let there = (transition(&from, &to, shape).unwrap(), [3, 1, 0, 2, 4]);
+        let back = (transition(&to, &from, shape).unwrap().mirrored(), [4, 2, 0, 1, 3]);
+        for (taper, order) in [there, back] {
+            let drawn = Extrusion::new(&path, &taper).overlaps(Overlaps::Keep).build().unwrap();
+            let edges: Vec<[Vec<Point>; 2]> = drawn.polygons().map(|polygon| edges(polygon.points)).collect();
+            for pair in order.windows(2) {
+                let ([_, right], [left, _]) = (&edges[pair[0]], &edges[pair[1]]);
+                let apart = right.iter().zip(left).map(|(p, q)| p.distance(*q)).fold(0.0, f64::max);
+                prop_assert!(apart < 1e-9, "{apart} µm between sections {pair:?}");
+            }
+            let last = path.points().len() - 1;
+            for (section, [left, right]) in edges.iter().enumerate() {
+                for (end, heading) in [(0, path.start_angle()), (last, path.end_angle())] {
+                    let along = Point::polar(1.0, heading);
+                    prop_assert!((right[end] - left[end]).dot(along).abs() < 1e-9, "the face of {section} is not square");
+                }
+            }
+        }
     }
 
     #[test]
@@ -154,6 +184,33 @@ proptest! {
         let far = dense.points().iter().step_by(7).map(|p| distance_to(*p, coarse.points())).fold(0.0, f64::max);
         prop_assert!(far <= tolerance + 1e-6, "{far} µm where {tolerance} µm are allowed");
     }
+}
+
+/// A coplanar line of a strip, two gaps and two grounds, each beside the one before.
+fn cpw(strip: f64, gap: f64) -> CrossSection {
+    CrossSection::new()
+        .add(Section::new(strip).layer(1).named("strip"))
+        .add(Section::new(gap).left_of("strip").layer(2).named("left gap"))
+        .add(Section::new(gap).right_of("strip").layer(2).named("right gap"))
+        .add(Section::new(5).left_of("left gap").layer(3).named("left ground"))
+        .add(Section::new(5).right_of("right gap").layer(3).named("right ground"))
+}
+
+/// The same by offsets.
+fn cpw_by_offsets(strip: f64, gap: f64) -> CrossSection {
+    let (gap_at, ground_at) = ((strip + gap) / 2.0, strip / 2.0 + gap + 2.5);
+    CrossSection::new()
+        .add(Section::new(strip).layer(1).named("strip"))
+        .add(Section::new(gap).offset(-gap_at).layer(2).named("left gap"))
+        .add(Section::new(gap).offset(gap_at).layer(2).named("right gap"))
+        .add(Section::new(5).offset(-ground_at).layer(3).named("left ground"))
+        .add(Section::new(5).offset(ground_at).layer(3).named("right ground"))
+}
+
+/// The left and the right edge of an outline, both from the start on.
+fn edges(outline: &[Point]) -> [Vec<Point>; 2] {
+    let (right, left) = outline.split_at(outline.len() / 2);
+    [left.iter().rev().copied().collect(), right.to_vec()]
 }
 
 /// Distance of a point to a line of chords.

@@ -4,4 +4,5 @@ mod examples;
 mod golden;
 mod hashes;
 mod laws;
+mod messages;
 mod simplified;

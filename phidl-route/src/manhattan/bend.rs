@@ -4,7 +4,7 @@ use phidl_core::Result;
 use phidl_macros::Choice;
 use phidl_path::{ArcBend, Bend, EulerBend, Path};
 
-use crate::request::{check_positive, refused};
+use crate::port_pair::{check_positive, refused};
 
 /// What a manhattan route does at its corners. None is tighter anywhere than the radius that is asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Choice)]
@@ -28,7 +28,7 @@ const RISE: f64 = 15.0;
 
 impl RouteBend {
     /// How far before its corner a bend starts (µm), by the angle (degrees).
-    pub(crate) fn reach(self, radius: f64, angle: f64) -> Result<f64> {
+    pub(crate) fn extent(self, radius: f64, angle: f64) -> Result<f64> {
         check_positive("bend", "radius", radius)?;
         let (sin, cos) = phidl_core::num::angle::sin_cos(angle);
         let tangent_of_half = sin / (1.0 + cos);
@@ -115,14 +115,14 @@ mod tests {
     fn reaches_are_those_of_the_bends() {
         for bend in [RouteBend::Circular, RouteBend::Euler, RouteBend::Gradual] {
             let path = bend.bend(7.0, 90.0).unwrap();
-            assert!((bend.reach(7.0, 90.0).unwrap() - path.end().x).abs() < 1e-9);
+            assert!((bend.extent(7.0, 90.0).unwrap() - path.end().x).abs() < 1e-9);
         }
-        assert!(RouteBend::Gradual.bend(7.0, 20.0).is_err() && RouteBend::Gradual.reach(-1.0, 90.0).is_err());
+        assert!(RouteBend::Gradual.bend(7.0, 20.0).is_err() && RouteBend::Gradual.extent(-1.0, 90.0).is_err());
     }
 
     #[test]
     fn an_euler_bend_reaches_as_far_as_the_specification_says() {
         // A bend of smallest radius 3 that turns by 90° ends at (5.61, 5.61).
-        assert!((RouteBend::Euler.reach(3.0, 90.0).unwrap() - 5.610_287_54).abs() < 1e-8);
+        assert!((RouteBend::Euler.extent(3.0, 90.0).unwrap() - 5.610_287_54).abs() < 1e-8);
     }
 }

@@ -1,6 +1,6 @@
-//! Way points with at most two corners: straight, L, Z and V.
+//! Waypoints with at most two corners: straight, L, Z and V.
 //!
-//! Way points are a sketch: they are what the formulas of the specification give, also where lengths are such that the
+//! Waypoints are a sketch: they are what the formulas of the specification give, also where lengths are such that the
 //! line leaves a port backwards. Whether a line can be a route is decided where one is drawn.
 
 use phidl_core::Result;
@@ -8,7 +8,7 @@ use phidl_core::geom::Point;
 use phidl_core::port::Port;
 use phidl_path::Path;
 
-use crate::request::{Request, check_finite, round3};
+use crate::port_pair::{PortPair, check_finite, round3};
 
 /// Sine of the angle between two ports (absolute) below which a V has no corner.
 const PARALLEL: f64 = 1e-9;
@@ -26,7 +26,7 @@ const PARALLEL: f64 = 1e-9;
 /// one in front of the first on its axis (to 0.5 nm).
 pub fn path_straight(port1: impl Into<Port>, port2: impl Into<Port>) -> Result<Path> {
     let (port1, port2) = (port1.into(), port2.into());
-    straight(&Request::new("path_straight", &port1, &port2)?).and_then(Path::from_points)
+    straight(&PortPair::new("path_straight", &port1, &port2)?).and_then(Path::from_points)
 }
 
 /// One corner, on the axis of the first port: between ports at a right angle.
@@ -36,7 +36,7 @@ pub fn path_straight(port1: impl Into<Port>, port2: impl Into<Port>) -> Result<P
 #[doc(alias = "path_L")]
 pub fn path_l(port1: impl Into<Port>, port2: impl Into<Port>) -> Result<Path> {
     let (port1, port2) = (port1.into(), port2.into());
-    l(&Request::new("path_L", &port1, &port2)?).and_then(Path::from_points)
+    l(&PortPair::new("path_L", &port1, &port2)?).and_then(Path::from_points)
 }
 
 /// Two corners, each at a length (µm) in front of its port, and a straight line between them at any angle.
@@ -51,7 +51,7 @@ pub fn path_z(
     length2: impl Into<f64>,
 ) -> Result<Path> {
     let (port1, port2) = (port1.into(), port2.into());
-    z(&Request::new("path_Z", &port1, &port2)?, length1.into(), length2.into()).and_then(Path::from_points)
+    z(&PortPair::new("path_Z", &port1, &port2)?, length1.into(), length2.into()).and_then(Path::from_points)
 }
 
 /// One corner, where the axes of the two ports meet.
@@ -62,42 +62,42 @@ pub fn path_z(
 #[doc(alias = "path_V")]
 pub fn path_v(port1: impl Into<Port>, port2: impl Into<Port>) -> Result<Path> {
     let (port1, port2) = (port1.into(), port2.into());
-    v(&Request::new("path_V", &port1, &port2)?).and_then(Path::from_points)
+    v(&PortPair::new("path_V", &port1, &port2)?).and_then(Path::from_points)
 }
 
-pub(crate) fn straight(request: &Request<'_>) -> Result<Vec<Point>> {
-    request.check_turn(&[0.0, 180.0], "be between ports turned by 180°")?;
-    let aside = request.aside();
+pub(crate) fn straight(pair: &PortPair<'_>) -> Result<Vec<Point>> {
+    pair.check_turn(&[0.0, 180.0], "be between ports turned by 180°")?;
+    let aside = pair.lateral_distance();
     if round3(aside) != 0.0 {
-        return Err(request.refused(format_args!("{aside} µm to the side"), "be straight ahead"));
+        return Err(pair.refused(format_args!("{aside} µm to the side"), "be straight ahead"));
     }
-    if round3(request.ahead()) <= 0.0 {
-        return Err(request.missing("a leg ahead", request.ahead(), 1e-3));
+    if round3(pair.forward_distance()) <= 0.0 {
+        return Err(pair.missing("a leg ahead", pair.forward_distance(), 1e-3));
     }
-    Ok(vec![request.port1.midpoint(), request.port2.midpoint()])
+    Ok(vec![pair.port1.midpoint(), pair.port2.midpoint()])
 }
 
-pub(crate) fn l(request: &Request<'_>) -> Result<Vec<Point>> {
-    request.check_turn(&[90.0, 270.0], "be between ports turned by 90° or 270°")?;
-    let start = request.port1.midpoint();
-    Ok(vec![start, start + request.forward1 * request.ahead(), request.port2.midpoint()])
+pub(crate) fn l(pair: &PortPair<'_>) -> Result<Vec<Point>> {
+    pair.check_turn(&[90.0, 270.0], "be between ports turned by 90° or 270°")?;
+    let start = pair.port1.midpoint();
+    Ok(vec![start, start + pair.forward1 * pair.forward_distance(), pair.port2.midpoint()])
 }
 
-pub(crate) fn z(request: &Request<'_>, length1: f64, length2: f64) -> Result<Vec<Point>> {
+pub(crate) fn z(pair: &PortPair<'_>, length1: f64, length2: f64) -> Result<Vec<Point>> {
     check_finite("path_Z", "length1", length1)?;
     check_finite("path_Z", "length2", length2)?;
-    let (start, end) = (request.port1.midpoint(), request.port2.midpoint());
-    Ok(vec![start, start + request.forward1 * length1, end + request.forward2 * length2, end])
+    let (start, end) = (pair.port1.midpoint(), pair.port2.midpoint());
+    Ok(vec![start, start + pair.forward1 * length1, end + pair.forward2 * length2, end])
 }
 
-pub(crate) fn v(request: &Request<'_>) -> Result<Vec<Point>> {
-    let sine = request.forward1.cross(request.forward2);
+pub(crate) fn v(pair: &PortPair<'_>) -> Result<Vec<Point>> {
+    let sine = pair.forward1.cross(pair.forward2);
     if sine.abs() < PARALLEL {
-        return Err(request.refused("between parallel ports", "be between ports whose axes meet"));
+        return Err(pair.refused("between parallel ports", "be between ports whose axes meet"));
     }
-    let ahead = request.span().cross(request.forward2) / sine;
-    let start = request.port1.midpoint();
-    Ok(vec![start, start + request.forward1 * ahead, request.port2.midpoint()])
+    let ahead = pair.span().cross(pair.forward2) / sine;
+    let start = pair.port1.midpoint();
+    Ok(vec![start, start + pair.forward1 * ahead, pair.port2.midpoint()])
 }
 
 #[cfg(test)]

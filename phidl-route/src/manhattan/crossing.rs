@@ -1,4 +1,4 @@
-//! Where lines without width cross themselves: what decides between the reference's way points and others.
+//! Where lines without width cross themselves: what decides between the reference's waypoints and others.
 
 use phidl_core::geom::Point;
 

@@ -1,4 +1,4 @@
-//! The way round where the usual choice runs over itself.
+//! The way round where the ordinary choice runs over itself.
 //!
 //! All lines of up to six corners are tried whose legs lie on a small set of coordinates: those of the two ports and up
 //! to four reaches beside them. A maze router on a finer grid would find shorter ways now and then, but its lines would
@@ -8,63 +8,64 @@
 use phidl_core::Result;
 use phidl_core::geom::Point;
 
-use super::cover::{Piece, Wire};
-use crate::request::{Request, left_of};
+use super::footprint::{Footprint, Wire};
+use crate::port_pair::{PortPair, left_of};
 
 /// Legs may be this much too short (µm): rounding.
 const ROOM: f64 = 1e-9;
 
 /// Which lines are tried.
-struct Lines {
+struct SearchGrid {
     /// The most corners that they have.
     corners: usize,
     /// Where their legs may lie, in reaches beside a port; of lines that are equally long the first is taken.
     beside: &'static [f64],
 }
 
-const USUAL: Lines = Lines { corners: 6, beside: &[1.0, -1.0, 2.0, -2.0, 3.0, -3.0, 4.0, -4.0, 0.0] };
+const USUAL: SearchGrid = SearchGrid { corners: 6, beside: &[1.0, -1.0, 2.0, -2.0, 3.0, -3.0, 4.0, -4.0, 0.0] };
 
 /// The shortest line with the fewest corners on which a wire does not run over itself or over an obstacle. Legs have room
-/// for bends that reach so far (µm). Obstacles are in the frame of the first port.
+/// for bends that extent so far (µm). Obstacles are in the frame of the first port.
 pub(crate) fn shortest(
-    request: &Request<'_>,
-    reach: f64,
+    pair: &PortPair<'_>,
+    extent: f64,
     wire: &mut Wire,
-    obstacles: &[Piece],
+    obstacles: &[Footprint],
 ) -> Result<Option<Vec<Point>>> {
-    shortest_of(&USUAL, request, reach, wire, obstacles)
+    shortest_of(&USUAL, pair, extent, wire, obstacles)
 }
 
 fn shortest_of(
-    tried: &Lines,
-    request: &Request<'_>,
-    reach: f64,
+    tried: &SearchGrid,
+    pair: &PortPair<'_>,
+    extent: f64,
     wire: &mut Wire,
-    obstacles: &[Piece],
+    obstacles: &[Footprint],
 ) -> Result<Option<Vec<Point>>> {
-    let goal = request.seen(request.port2.midpoint());
+    let goal = pair.to_local(pair.port2.midpoint());
     // Exact, since the ports are turned by a multiple of 90° but for noise.
-    let enter = -Point::polar(1.0, request.turn());
-    let lines = [goal.x, goal.y].map(|coordinate| beside(tried, coordinate, reach));
-    let (line, pieces, last) = (Vec::new(), Vec::new(), [goal, enter]);
-    let mut search = Search { goal, enter, reach, lines, corners: 0, wire, obstacles, last, line, pieces, best: None };
+    let enter = -Point::polar(1.0, pair.turn());
+    let lines = [goal.x, goal.y].map(|coordinate| beside(tried, coordinate, extent));
+    let (line, footprints, last) = (Vec::new(), Vec::new(), [goal, enter]);
+    let mut search =
+        DetourSearch { goal, enter, extent, lines, corners: 0, wire, obstacles, last, line, footprints, best: None };
     let fewest = if enter.x == 0.0 { 1 } else { 2 };
     for corners in (fewest..=tried.corners).step_by(2) {
         search.corners = corners;
         if let Some(line) = search.run()? {
-            let start = request.port1.midpoint();
-            let place = |p: &Point| start + request.forward1 * p.x + request.left1 * p.y;
+            let start = pair.port1.midpoint();
+            let place = |p: &Point| start + pair.forward1 * p.x + pair.left1 * p.y;
             let corners = line[..line.len() - 1].iter().map(place);
-            return Ok(Some(corners.chain([request.port2.midpoint()]).collect()));
+            return Ok(Some(corners.chain([pair.port2.midpoint()]).collect()));
         }
     }
     Ok(None)
 }
 
 /// Coordinates on which legs may lie: beside the first port, at 0, and beside the second.
-fn beside(tried: &Lines, coordinate: f64, reach: f64) -> Vec<f64> {
+fn beside(tried: &SearchGrid, coordinate: f64, extent: f64) -> Vec<f64> {
     let mut lines: Vec<f64> = Vec::with_capacity(2 * tried.beside.len());
-    for line in tried.beside.iter().flat_map(|step| [step * reach, coordinate + step * reach]) {
+    for line in tried.beside.iter().flat_map(|step| [step * extent, coordinate + step * extent]) {
         if lines.iter().all(|known| (known - line).abs() > ROOM) {
             lines.push(line);
         }
@@ -74,30 +75,30 @@ fn beside(tried: &Lines, coordinate: f64, reach: f64) -> Vec<f64> {
 
 /// A search in the frame of the first port, depth first; what is already longer than the best is cut off. The last corner
 /// is chosen first, for it is between the two ends that there is no room.
-struct Search<'a> {
+struct DetourSearch<'a> {
     goal: Point,
     /// Direction in which the goal is entered.
     enter: Point,
-    reach: f64,
+    extent: f64,
     /// Coordinates on which legs may lie: of x, and of y.
     lines: [Vec<f64>; 2],
     corners: usize,
     wire: &'a mut Wire,
-    obstacles: &'a [Piece],
+    obstacles: &'a [Footprint],
     /// The last corner, and the direction in which it is reached.
     last: [Point; 2],
     /// The corners so far, from the start on.
     line: Vec<Point>,
     /// What the wire covers so far, at its end and from its start on.
-    pieces: Vec<Piece>,
+    footprints: Vec<Footprint>,
     best: Option<(f64, Vec<Point>)>,
 }
 
-impl Search<'_> {
+impl DetourSearch<'_> {
     /// The best line with so many corners.
     fn run(&mut self) -> Result<Option<Vec<Point>>> {
         let (enter, across) = (self.enter, left_of(self.enter));
-        let bend = self.wire.reach(across, enter)?;
+        let bend = self.wire.extent(across, enter)?;
         for corner in self.last_corners() {
             for arrive in [across, -across] {
                 self.last = [corner, arrive];
@@ -106,11 +107,11 @@ impl Search<'_> {
                     self.wire.leg(self.corners, corner + enter * bend, self.goal),
                     self.wire.corner(self.corners, corner, arrive, enter)?,
                 ];
-                if end.iter().all(|piece| self.is_clear(piece)) {
-                    self.pieces.extend(end);
+                if end.iter().all(|footprint| self.is_clear(footprint)) {
+                    self.footprints.extend(end);
                     self.extend(0.0)?;
                 }
-                self.pieces.clear();
+                self.footprints.clear();
             }
         }
         Ok(self.best.take().map(|(_, line)| line))
@@ -121,7 +122,7 @@ impl Search<'_> {
         let (goal, enter) = (self.goal, self.enter);
         let lines = if enter.x == 0.0 { &self.lines[1] } else { &self.lines[0] };
         let corner = |line: &f64| if enter.x == 0.0 { Point::new(goal.x, *line) } else { Point::new(*line, goal.y) };
-        let far_enough = |corner: &Point| (goal - *corner).dot(enter) >= self.reach - ROOM;
+        let far_enough = |corner: &Point| (goal - *corner).dot(enter) >= self.extent - ROOM;
         lines.iter().map(corner).filter(far_enough).collect()
     }
 
@@ -151,13 +152,13 @@ impl Search<'_> {
         let leg = self.line.len() - 1;
         let from = self.line[leg];
         let own = from.distance(next);
-        let long_enough = if leg == 0 { next.x >= self.reach - ROOM } else { own >= 2.0 * self.reach - ROOM };
+        let long_enough = if leg == 0 { next.x >= self.extent - ROOM } else { own >= 2.0 * self.extent - ROOM };
         let rest = self.last[0] - next;
         let shortest = length + own + rest.x.abs() + rest.y.abs() + self.last[0].distance(self.goal);
         if !long_enough || !self.improves(shortest) {
             return Ok(());
         }
-        let covered = self.pieces.len();
+        let covered = self.footprints.len();
         self.line.push(next);
         if self.cover_last_leg()? {
             if leg + 1 == self.corners {
@@ -167,7 +168,7 @@ impl Search<'_> {
             }
         }
         self.line.pop();
-        self.pieces.truncate(covered);
+        self.footprints.truncate(covered);
         Ok(())
     }
 
@@ -176,26 +177,26 @@ impl Search<'_> {
         let leg = self.line.len() - 2;
         let (from, to) = (self.line[leg], self.line[leg + 1]);
         let along = (to - from) / from.distance(to);
-        let bend = self.wire.reach(along, left_of(along))?;
+        let bend = self.wire.extent(along, left_of(along))?;
         let start = if leg == 0 { from } else { from + along * bend };
         let straight = self.wire.leg(leg, start, to - along * bend);
         if !self.is_clear(&straight) {
             return Ok(false);
         }
-        self.pieces.push(straight);
+        self.footprints.push(straight);
         if leg == 0 {
             return Ok(true);
         }
         let before = (from - self.line[leg - 1]) / from.distance(self.line[leg - 1]);
         let corner = self.wire.corner(leg, from, before, along)?;
         let clear = self.is_clear(&corner);
-        self.pieces.push(corner);
+        self.footprints.push(corner);
         Ok(clear)
     }
 
-    fn is_clear(&self, piece: &Piece) -> bool {
-        !self.obstacles.iter().any(|obstacle| obstacle.overlaps(piece))
-            && !self.pieces.iter().any(|other| piece.lies_on(other))
+    fn is_clear(&self, footprint: &Footprint) -> bool {
+        !self.obstacles.iter().any(|obstacle| obstacle.overlaps(footprint))
+            && !self.footprints.iter().any(|other| footprint.lies_on(other))
     }
 
     /// Whether a length is less than that of the best line by more than rounding: of lines that are equally long, the
@@ -223,13 +224,13 @@ mod tests {
     fn lines_have_room_for_their_bends_and_do_not_cross() {
         let mut found = 0;
         for [a, b] in placements(12) {
-            let request = Request::new("test", &a, &b).unwrap();
-            let Some(line) = shortest(&request, 3.0, &mut Wire::sharp(), &[]).unwrap() else { continue };
+            let pair = PortPair::new("test", &a, &b).unwrap();
+            let Some(line) = shortest(&pair, 3.0, &mut Wire::sharp(), &[]).unwrap() else { continue };
             let lengths: Vec<f64> = line.windows(2).map(|leg| leg[0].distance(leg[1])).collect();
             assert!(lengths.iter().all(|length| *length >= 3.0 - 1e-9), "{line:?}");
             assert!(lengths[1..lengths.len() - 1].iter().all(|length| *length >= 6.0 - 1e-9), "{line:?}");
             assert_eq!(crossings(&line), 0);
-            request.check_way(&line).unwrap();
+            pair.check_waypoints(&line).unwrap();
             found += 1;
         }
         assert!(found > 2000, "{found} of 2500 placements have a way round");
@@ -241,14 +242,14 @@ mod tests {
             [1.0, -1.0, 1.5, -1.5, 2.0, -2.0, 2.5, -2.5, 3.0, -3.0, 3.5, -3.5, 4.0, -4.0, 5.0, -5.0, 0.0];
         let (mut none, mut found) = (0, 0);
         for [a, b] in placements(4) {
-            let request = Request::new("test", &a, &b).unwrap();
-            let mut wire = Wire::bent(2.0, RouteBend::Circular, 3.0);
-            if shortest(&request, 3.1, &mut wire, &[]).unwrap().is_some() {
+            let pair = PortPair::new("test", &a, &b).unwrap();
+            let mut wire = Wire::with_bends(2.0, RouteBend::Circular, 3.0);
+            if shortest(&pair, 3.1, &mut wire, &[]).unwrap().is_some() {
                 found += 1;
                 continue;
             }
-            for more in [Lines { corners: 8, ..USUAL }, Lines { corners: 6, beside: &FINE }] {
-                let line = shortest_of(&more, &request, 3.1, &mut wire, &[]).unwrap();
+            for more in [SearchGrid { corners: 8, ..USUAL }, SearchGrid { corners: 6, beside: &FINE }] {
+                let line = shortest_of(&more, &pair, 3.1, &mut wire, &[]).unwrap();
                 assert_eq!(line, None, "from {a} to {b}");
             }
             none += 1;

@@ -1,11 +1,11 @@
-//! Way points that go round: U, J and C.
+//! Waypoints that go round: U, J and C.
 
 use phidl_core::Result;
 use phidl_core::geom::Point;
 use phidl_core::port::Port;
 use phidl_path::Path;
 
-use crate::request::{Request, check_finite};
+use crate::port_pair::{PortPair, check_finite};
 
 /// Forwards by `length1` (µm), across to the axis of the second port, and along it: between parallel ports.
 ///
@@ -22,7 +22,7 @@ use crate::request::{Request, check_finite};
 #[doc(alias = "path_U")]
 pub fn path_u(port1: impl Into<Port>, port2: impl Into<Port>, length1: impl Into<f64>) -> Result<Path> {
     let (port1, port2) = (port1.into(), port2.into());
-    u(&Request::new("path_U", &port1, &port2)?, length1.into()).and_then(Path::from_points)
+    u(&PortPair::new("path_U", &port1, &port2)?, length1.into()).and_then(Path::from_points)
 }
 
 /// Forwards by `length1`, across, and into the second port over its last `length2` (µm): between ports at a right angle.
@@ -38,7 +38,7 @@ pub fn path_j(
     length2: impl Into<f64>,
 ) -> Result<Path> {
     let (port1, port2) = (port1.into(), port2.into());
-    j(&Request::new("path_J", &port1, &port2)?, length1.into(), length2.into()).and_then(Path::from_points)
+    j(&PortPair::new("path_J", &port1, &port2)?, length1.into(), length2.into()).and_then(Path::from_points)
 }
 
 /// Forwards by `length1`, to the left by `left1` (to the right if negative), along, and into the second port over its
@@ -56,48 +56,48 @@ pub fn path_c(
     length2: impl Into<f64>,
 ) -> Result<Path> {
     let (port1, port2) = (port1.into(), port2.into());
-    let request = Request::new("path_C", &port1, &port2)?;
-    c(&request, length1.into(), left1.into(), length2.into()).and_then(Path::from_points)
+    let pair = PortPair::new("path_C", &port1, &port2)?;
+    c(&pair, length1.into(), left1.into(), length2.into()).and_then(Path::from_points)
 }
 
-pub(crate) fn u(request: &Request<'_>, length1: f64) -> Result<Vec<Point>> {
-    check_parallel(request)?;
+pub(crate) fn u(pair: &PortPair<'_>, length1: f64) -> Result<Vec<Point>> {
+    check_parallel(pair)?;
     check_finite("path_U", "length1", length1)?;
-    let (start, end) = (request.port1.midpoint(), request.port2.midpoint());
-    let a = start + request.forward1 * length1;
-    Ok(vec![start, a, a + request.left1 * (end - a).dot(request.left1), end])
+    let (start, end) = (pair.port1.midpoint(), pair.port2.midpoint());
+    let a = start + pair.forward1 * length1;
+    Ok(vec![start, a, a + pair.left1 * (end - a).dot(pair.left1), end])
 }
 
-pub(crate) fn j(request: &Request<'_>, length1: f64, length2: f64) -> Result<Vec<Point>> {
-    request.check_turn(&[90.0, 270.0], "be between ports turned by 90° or 270°")?;
+pub(crate) fn j(pair: &PortPair<'_>, length1: f64, length2: f64) -> Result<Vec<Point>> {
+    pair.check_turn(&[90.0, 270.0], "be between ports turned by 90° or 270°")?;
     check_finite("path_J", "length1", length1)?;
     check_finite("path_J", "length2", length2)?;
-    let (start, end) = (request.port1.midpoint(), request.port2.midpoint());
-    let a = start + request.forward1 * length1;
-    let b = end + request.forward2 * length2;
-    Ok(vec![start, a, a + request.forward2 * (b - a).dot(request.forward2), b, end])
+    let (start, end) = (pair.port1.midpoint(), pair.port2.midpoint());
+    let a = start + pair.forward1 * length1;
+    let b = end + pair.forward2 * length2;
+    Ok(vec![start, a, a + pair.forward2 * (b - a).dot(pair.forward2), b, end])
 }
 
-pub(crate) fn c(request: &Request<'_>, length1: f64, left1: f64, length2: f64) -> Result<Vec<Point>> {
-    check_parallel(request)?;
+pub(crate) fn c(pair: &PortPair<'_>, length1: f64, left1: f64, length2: f64) -> Result<Vec<Point>> {
+    check_parallel(pair)?;
     for (name, length) in [("length1", length1), ("left1", left1), ("length2", length2)] {
         check_finite("path_C", name, length)?;
     }
-    let (start, end) = (request.port1.midpoint(), request.port2.midpoint());
-    let a = start + request.forward1 * length1;
-    let b = a + request.left1 * left1;
-    let e = end + request.forward2 * length2;
-    Ok(vec![start, a, b, b + request.forward1 * (e - b).dot(request.forward1), e, end])
+    let (start, end) = (pair.port1.midpoint(), pair.port2.midpoint());
+    let a = start + pair.forward1 * length1;
+    let b = a + pair.left1 * left1;
+    let e = end + pair.forward2 * length2;
+    Ok(vec![start, a, b, b + pair.forward1 * (e - b).dot(pair.forward1), e, end])
 }
 
-fn check_parallel(request: &Request<'_>) -> Result<()> {
-    request.check_turn(&[0.0, 180.0], "be between ports turned by 0° or 180°")
+fn check_parallel(pair: &PortPair<'_>) -> Result<()> {
+    pair.check_turn(&[0.0, 180.0], "be between ports turned by 0° or 180°")
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::request::round3;
+    use crate::port_pair::round3;
 
     fn points(path: Result<Path>) -> Vec<(f64, f64)> {
         path.unwrap().points()[1..].iter().map(|p| (round3(p.x), round3(p.y))).collect()

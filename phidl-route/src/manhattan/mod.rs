@@ -1,25 +1,25 @@
-//! Ways at right angles: the way points, their chooser, and the routes.
+//! Ways at right angles: the waypoints, their chooser, and the routes.
 
-mod auto;
 mod bend;
-mod clear;
 mod corners;
-mod cover;
 mod crossing;
 mod detour;
+mod footprint;
 mod loops;
 mod route;
+mod router;
+mod waypoints;
 
-pub(crate) use auto::manhattan;
-pub use auto::path_manhattan;
 pub use bend::RouteBend;
 pub(crate) use bend::recorded;
-pub(crate) use clear::{Led, Site};
 pub(crate) use corners::{l, straight, v, z};
 pub use corners::{path_l, path_straight, path_v, path_z};
 pub(crate) use loops::{c, j, u};
 pub use loops::{path_c, path_j, path_u};
-pub(crate) use route::bent;
+pub(crate) use route::draw_wire;
 pub use route::{
     RouteManhattanAutoParams, RouteManhattanParams, manhattan_centerline, route_manhattan, route_manhattan_auto,
 };
+pub(crate) use router::{RoutedPath, Router};
+pub(crate) use waypoints::manhattan;
+pub use waypoints::path_manhattan;

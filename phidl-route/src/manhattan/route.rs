@@ -6,11 +6,11 @@ use phidl_macros::device;
 use phidl_path::Path;
 
 use super::RouteBend;
-use super::clear::{Led, Site};
-use super::cover::Piece;
-use crate::draw::Drawing;
-use crate::request::{Request, micrometers, refused, title};
-use crate::way::turns;
+use super::footprint::Footprint;
+use super::router::{RoutedPath, Router};
+use crate::draw::RouteDrawing;
+use crate::path_type::turns;
+use crate::port_pair::{PortPair, micrometers, refused, title};
 use crate::width::RouteWidth;
 
 /// Routes may lie on one another by this much (µm): rounding.
@@ -25,8 +25,8 @@ const NOISE: f64 = 1e-6;
 ///                   ┴ port2
 /// ```
 ///
-/// The way points are those of [`path_manhattan`](super::path_manhattan), with as much room as the bends need, wherever
-/// the wire as it is drawn is clear of itself and of what lies behind the ports (taken for a piece of wire as wide as the
+/// The waypoints are those of [`path_manhattan`](super::path_manhattan), with as much room as the bends need, wherever
+/// the wire as it is drawn is clear of itself and of what lies behind the ports (taken for a footprint of wire as wide as the
 /// port and as long as a bend reaches). Elsewhere it is the shortest clear way of up to six corners.
 ///
 /// # Ports
@@ -35,7 +35,7 @@ const NOISE: f64 = 1e-6;
 /// # Info
 /// `length` (µm); `bends`; `smallest_radius` (µm; null without a bend), which is `radius`; and 0 for a sound route:
 /// `crossings`, how many pairs of its straight pieces and bends lie on one another, and `over_ports`, over how many of the
-/// two ports' pieces it runs. They are more only where the ports are closer together than a few bends, so that there is no
+/// two ports' footprints it runs. They are more only where the ports are closer together than a few bends, so that there is no
 /// way without.
 ///
 /// # Errors
@@ -71,9 +71,9 @@ pub fn route_manhattan(
     #[default(0)]
     layer: Layers,
 ) -> Result<Device> {
-    let request = Request::new("route_manhattan", &port1, &port2)?;
-    let led = Site::new(&request, bend, radius)?.led()?;
-    bent(&request, &led, bend, radius, &layer)?.build()
+    let pair = PortPair::new("route_manhattan", &port1, &port2)?;
+    let routed = Router::new(&pair, bend, radius)?.route()?;
+    draw_wire(&pair, &routed, bend, radius, &layer)?.build()
 }
 
 /// Draws wires between ports taken in pairs, the first to the second, the third to the fourth, each as
@@ -172,56 +172,56 @@ pub fn manhattan_centerline(
     radius: impl Into<f64>,
 ) -> Result<Path> {
     let (port1, port2, radius) = (port1.into(), port2.into(), radius.into());
-    let request = Request::new("manhattan_centerline", &port1, &port2)?;
-    Path::smooth(Site::new(&request, bend, radius)?.led()?.points, radius, bend)
+    let pair = PortPair::new("manhattan_centerline", &port1, &port2)?;
+    Path::smooth(Router::new(&pair, bend, radius)?.route()?.points, radius, bend)
 }
 
-/// Way points with bends at their corners, drawn as wide as the first port.
-pub(crate) fn bent(
-    request: &Request<'_>,
-    led: &Led,
+/// Waypoints with bends at their corners, drawn as wide as the first port.
+pub(crate) fn draw_wire(
+    pair: &PortPair<'_>,
+    routed: &RoutedPath,
     bend: RouteBend,
     radius: f64,
     layer: &Layers,
 ) -> Result<DeviceBuilder> {
-    let bends = turns(&led.points).len();
+    let bends = turns(&routed.points).len();
     if bends > 0 {
         // Beyond this the inner edge folds back.
-        request.check_room("a radius", radius, request.port1.width() / 2.0)?;
+        pair.check_room("a radius", radius, pair.port1.width() / 2.0)?;
     }
-    let drawing = Drawing {
-        what: request.what(),
-        path: &Path::smooth(&led.points, radius, bend)?,
+    let drawing = RouteDrawing {
+        what: pair.what(),
+        path: &Path::smooth(&routed.points, radius, bend)?,
         finer: None,
         layer,
-        width: Some(&RouteWidth::Constant(request.port1.width())),
+        width: Some(&RouteWidth::Constant(pair.port1.width())),
         bends,
         smallest_radius: (bends > 0).then_some(radius),
     };
-    let mut d = drawing.between_ports(request)?;
-    d.info("crossings", led.crossings).info("over_ports", led.over_ports);
+    let mut d = drawing.between_ports(pair)?;
+    d.info("crossings", routed.crossings).info("over_ports", routed.over_ports);
     Ok(d)
 }
 
 /// Refuses routes that lie on one another.
 fn check_apart(pairs: &[[Port; 2]], bend: RouteBend, radius: f64) -> Result<()> {
     const NAME: &str = "route_manhattan_auto";
-    let mut wires: Vec<(&[Port; 2], Vec<Piece>)> = Vec::with_capacity(pairs.len());
-    for pair in pairs {
-        let request = Request::new(NAME, &pair[0], &pair[1])?;
-        let mut site = Site::new(&request, bend, radius)?;
-        let points = site.led()?.points;
-        let pieces = site.cover(&points)?;
+    let mut wires: Vec<(&[Port; 2], Vec<Footprint>)> = Vec::with_capacity(pairs.len());
+    for ports in pairs {
+        let pair = PortPair::new(NAME, &ports[0], &ports[1])?;
+        let mut router = Router::new(&pair, bend, radius)?;
+        let points = router.route()?.points;
+        let footprints = router.footprints(&points)?;
         for (other, before) in &wires {
-            let depths = pieces.iter().flat_map(|piece| before.iter().map(|other| piece.depth(other)));
+            let depths = footprints.iter().flat_map(|footprint| before.iter().map(|other| footprint.depth(other)));
             let depth = depths.fold(0.0, f64::max);
             if depth > NOISE {
                 let route = format!("not run over the route from {}", title("a port", &other[0]));
                 let rule = format!("{route} to {}: {} are missing", title("one", &other[1]), micrometers(depth));
-                return Err(request.refused("over another one", rule));
+                return Err(pair.refused("over another one", rule));
             }
         }
-        wires.push((pair, pieces));
+        wires.push((ports, footprints));
     }
     Ok(())
 }
@@ -267,7 +267,7 @@ mod tests {
 
     #[test]
     fn wires_are_apart_as_they_are_drawn_and_not_as_their_way_points_are() {
-        // Two nested corners: the way points are 3 µm apart and the bends nearly √2 times as much.
+        // Two nested corners: the waypoints are 3 µm apart and the bends nearly √2 times as much.
         let nested = |width: f64| {
             let ports = [((0, 0), width, 0), ((60, 60), width, 270), ((0, 3), width, 0), ((57, 60), width, 270)];
             route_manhattan_auto(ports, RouteBend::Circular, 20, 1)

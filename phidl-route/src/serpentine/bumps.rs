@@ -10,7 +10,7 @@ use phidl_core::num::{angle, count};
 use phidl_path::Bend as _;
 
 use crate::RouteBend;
-use crate::request::left_of;
+use crate::port_pair::left_of;
 
 /// The flattest bends (degrees).
 const FLATTEST: f64 = 0.1;
@@ -35,10 +35,10 @@ pub(super) struct Bumps {
     /// How far the bends turn (degrees).
     angle: f64,
     /// How far before its corner a bend starts (µm).
-    reach: f64,
+    extent: f64,
     /// What four bends add, less what their corners would be straight on (µm).
     gain: f64,
-    /// How far the bends at the corners of the route itself reach (µm).
+    /// How far the bends at the corners of the route itself extent (µm).
     corner: f64,
     /// Length of a rising or falling leg, from corner to corner (µm).
     rise: f64,
@@ -83,9 +83,9 @@ impl Bumps {
     /// One bump whose legs have just enough room for bends of an angle.
     fn lowest(angle: f64, bend: RouteBend, radius: f64) -> Result<Self> {
         let path = bend.bend(radius, angle)?;
-        let reach = path.end().norm() / 2.0 / (angle / 2.0).to_radians().cos();
-        let gain = 4.0 * (path.length() - reach * (1.0 + cos(angle)));
-        Ok(Self { count: 1, angle, reach, gain, corner: bend.reach(radius, 90.0)?, rise: 2.0 * reach })
+        let extent = path.end().norm() / 2.0 / (angle / 2.0).to_radians().cos();
+        let gain = 4.0 * (path.length() - extent * (1.0 + cos(angle)));
+        Ok(Self { count: 1, angle, extent, gain, corner: bend.extent(radius, 90.0)?, rise: 2.0 * extent })
     }
 
     /// Makes the legs so much longer that together they add a length (µm).
@@ -100,15 +100,15 @@ impl Bumps {
 
     /// Length along the way from the first corner of a bump to its last (µm); its roof is as short as its bends allow.
     fn base(&self) -> f64 {
-        2.0 * self.reach + 2.0 * self.rise * cos(self.angle)
+        2.0 * self.extent + 2.0 * self.rise * cos(self.angle)
     }
 
     /// Straight length that all bumps need, with the bends at both ends (µm).
     pub(super) fn span(&self) -> f64 {
-        self.count as f64 * (self.base() + 2.0 * self.reach)
+        self.count as f64 * (self.base() + 2.0 * self.extent)
     }
 
-    /// The way points with bumps in the middle of a leg, on a side (1 left, −1 right).
+    /// The waypoints with bumps in the middle of a leg, on a side (1 left, −1 right).
     pub(super) fn inserted(&self, points: &[Point], leg: usize, side: f64) -> Vec<Point> {
         let (from, to) = (points[leg], points[leg + 1]);
         let along = (to - from) / from.distance(to);
@@ -117,10 +117,10 @@ impl Bumps {
         // Only inner ends of a leg have a bend; the middle of the straight piece is the middle of what these leave.
         let inner = |is_inner: bool| if is_inner { self.corner } else { 0.0 };
         let free = (inner(leg > 0), from.distance(to) - inner(leg + 2 < points.len()));
-        let start = (free.0 + free.1 - self.span()) / 2.0 + self.reach;
+        let start = (free.0 + free.1 - self.span()) / 2.0 + self.extent;
         let bump = |i: usize| {
-            let first = from + along * (start + i as f64 * (self.base() + 2.0 * self.reach));
-            let (rise, roof) = (along * (self.rise * cos) + up * (self.rise * sin), along * (2.0 * self.reach));
+            let first = from + along * (start + i as f64 * (self.base() + 2.0 * self.extent));
+            let (rise, roof) = (along * (self.rise * cos) + up * (self.rise * sin), along * (2.0 * self.extent));
             let fall = along * (self.rise * cos) - up * (self.rise * sin);
             [first, first + rise, first + rise + roof, first + rise + roof + fall]
         };

@@ -11,7 +11,7 @@ use phidl_macros::device;
 use phidl_path::Path;
 
 use crate::RouteBend;
-use crate::request::{Request, check_positive};
+use crate::port_pair::{PortPair, check_positive};
 use line::Serpentine;
 
 /// Draws a wire of a given length between two ports at right angles, in bumps on a straight piece.
@@ -22,7 +22,7 @@ use line::Serpentine;
 /// ```
 ///
 /// Otherwise it is [`route_manhattan`](fn@crate::route_manhattan). The bumps are on the longest straight piece, on the left
-/// of the way; where the wire would run over itself there, they are on the right, or on another piece.
+/// of the way; where the wire would run over itself there, they are on the right, or on another footprint.
 ///
 /// # Ports
 /// `1` on `port1` and `2` on `port2`, facing them, as wide as `port1`.
@@ -69,13 +69,13 @@ pub fn route_serpentine(
     /// Where it is drawn.
     #[default(0)]
     layer: Layers,
-    /// How far the bumps may reach to the side.
+    /// How far the bumps may extent to the side.
     #[default(None)]
     #[param(unit = "um", named, above = 0.0)]
     max_height: Option<f64>,
 ) -> Result<Device> {
-    let request = Request::new("route_serpentine", &port1, &port2)?;
-    Serpentine { request: &request, length, bend, radius, max_height }.drawn(&layer)?.build()
+    let pair = PortPair::new("route_serpentine", &port1, &port2)?;
+    Serpentine { pair: &pair, length, bend, radius, max_height }.drawn(&layer)?.build()
 }
 
 /// Draws a wire of a given length on a given span: a delay line.
@@ -131,11 +131,11 @@ pub fn delay_line(
     layer: Layers,
 ) -> Result<Device> {
     let (port1, port2) = (Port::new((0, 0), width, 0), Port::new((span, 0), width, 180));
-    let request = Request::new("delay_line", &port1, &port2)?;
-    Serpentine { request: &request, length, bend, radius, max_height: None }.drawn(&layer)?.build()
+    let pair = PortPair::new("delay_line", &port1, &port2)?;
+    Serpentine { pair: &pair, length, bend, radius, max_height: None }.drawn(&layer)?.build()
 }
 
-/// The way points of [`route_serpentine`](fn@route_serpentine) with bends at their corners, for an extrusion by hand.
+/// The waypoints of [`route_serpentine`](fn@route_serpentine) with bends at their corners, for an extrusion by hand.
 ///
 /// # Errors
 /// As for [`route_serpentine`](fn@route_serpentine), but that nothing is said of a width.
@@ -148,9 +148,9 @@ pub fn serpentine_centerline(
 ) -> Result<Path> {
     let (port1, port2, length, radius) = (port1.into(), port2.into(), length.into(), radius.into());
     check_positive("serpentine_centerline", "length", length)?;
-    let request = Request::new("serpentine_centerline", &port1, &port2)?;
-    let led = Serpentine { request: &request, length, bend, radius, max_height: None }.led()?;
-    Path::smooth(led.points, radius, bend)
+    let pair = PortPair::new("serpentine_centerline", &port1, &port2)?;
+    let routed = Serpentine { pair: &pair, length, bend, radius, max_height: None }.route()?;
+    Path::smooth(routed.points, radius, bend)
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! Reference results of routes and way points. What may differ stands in testkit's `differences.toml`; everything else
+//! Reference results of routes and waypoints. What may differ stands in testkit's `differences.toml`; everything else
 //! must match.
 
 use phidl_core::num::angle;
@@ -151,7 +151,7 @@ fn way(case: &Case, kind: &str) -> Result<Path> {
         "Z" => route::path_z(a, b, length("length1", 100.0), length("length2", 100.0)),
         "xy" => route::path_xy(a, b, case.params.get("directions").and_then(Json::as_str).unwrap_or("xxyx")),
         "manhattan" => route::path_manhattan(a, b, length("radius", 5.0)),
-        other => panic!("unknown way points path_{other}"),
+        other => panic!("unknown waypoints path_{other}"),
     }
 }
 

@@ -1,18 +1,18 @@
-//! The figures in the crate documentation of phidl-path and phidl-route, whose things are no single devices.
+//! The figures in the crate documentation of phidl-path and phidl-route, which show more than one device.
 
 use std::path::PathBuf;
 
 use phidl_core::prelude::*;
 use phidl_io::svg::{self, FigureOptions};
-use phidl_path::{ArcBend, CrossSection, EulerBend, Path, Section, Spiral, WidthChange, transition};
+use phidl_path::{ArcBend, CrossSection, EulerBend, Path, Section, Spiral, TransitionShape, transition};
 use phidl_route::{
-    Course, PathType, RouteBasicParams, RouteBend, RouteSmoothParams, route_manhattan_auto, route_quad,
+    RouteProfile, PathType, RouteBasicParams, RouteBend, RouteSmoothParams, route_manhattan_auto, route_quad,
     route_serpentine, route_sharp,
 };
 
 use super::{Drawn, figure_options};
 
-/// The things of a figure are this far apart (µm).
+/// Distance between the items of a figure (µm).
 const GAP: f64 = 12.0;
 
 /// All of them.
@@ -39,7 +39,7 @@ fn waveguide() -> Result<Device> {
         .add(Section::new(0.8).offset(4.5).layer(3).named("heater"));
     let mut path = Path::smooth([(0, 0), (40, 0), (40, 40), (90, 40)], 12, EulerBend::new().use_eff())?;
     path.append(Path::euler(10, -90)?).append(Path::straight(5)?);
-    path.with_tolerance(0.01)?.extrude_checked(&rib)
+    path.with_tolerance(0.01)?.extrude(&rib)
 }
 
 /// What paths are made of, and what is drawn along them.
@@ -66,7 +66,7 @@ fn pieces() -> Result<Device> {
                 ("by a function", Path::straight(50)?.extrude(&CrossSection::new().add(Section::new(wavy)))?),
                 (
                     "transition",
-                    EulerBend::new().path(50, 60)?.extrude(&transition(&narrow, &wide, WidthChange::Sine)?)?,
+                    EulerBend::new().path(50, 60)?.extrude(&transition(&narrow, &wide, TransitionShape::Sine)?)?,
                 ),
             ],
         ],
@@ -84,7 +84,7 @@ fn routes() -> Result<Device> {
         [
             vec![
                 ("quad", route_quad(((0, 0), 12, 0), ((40, 12), 4, 180), None, None, 0)?),
-                ("basic", RouteBasicParams::new(((0, 0), 2, 0), ((50, 25), 6, 180)).path_type(Course::Sine).build()?),
+                ("basic", RouteBasicParams::new(((0, 0), 2, 0), ((50, 25), 6, 180)).path_type(RouteProfile::Sine).build()?),
                 ("sharp", route_sharp(&a, &b, None, PathType::Manhattan, 0)?),
                 ("smooth", RouteSmoothParams::new(&a, &b).radius(10).path_type(PathType::Manhattan).build()?),
             ],

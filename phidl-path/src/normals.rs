@@ -1,14 +1,13 @@
-//! [`Miters`]: where a path is widened, and in which direction.
+//! [`OffsetNormals`]: the vectors along which a path is widened.
 //!
-//! Parallel lines meet at their miter: at a corner between the normals n and n' a line at the distance d lies at
+//! Parallel lines meet at their miter: at a corner between the normals n and n', a line at the distance d lies at
 //! d (n + n') / (1 + n · n'). So one vector for each point serves every section of a cross-section, without an angle or
-//! a trigonometric function. Three things keep it sound where a plain miter is not:
-//! repeated points count once (they have no direction); beyond the miter limit, a corner has a station for each of its
-//! two normals (a bevel); and so a path that doubles back ends in a square end instead of at infinity.
-
+//! a trigonometric function. Three rules keep it valid where a miter is not: repeated points count once (they have no
+//! direction); beyond the miter limit a corner has a sample for each of its two normals (a bevel); and so a path that
+//! doubles back ends square instead of at infinity.
 //!
-//! Nearly every path has neither repeated points nor sharp corners, and then its points are the stations: nothing is
-//! copied, and nothing is decided at a point. Others are gone through point by point.
+//! Nearly every path has neither repeated points nor sharp corners. Its points are the samples then: nothing is copied, and
+//! no point needs a decision. Other paths are handled point by point.
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -19,20 +18,20 @@ use phidl_core::num::angle;
 use crate::Path;
 use crate::curve::Circle;
 
-/// Points closer together than this (µm) are one: far below any grid, far above the noise of coordinates.
+/// Points closer together than this (µm) are one: far below any grid, far above the rounding of coordinates.
 pub(crate) const REPEATED: f64 = 1e-9;
 
-/// A miter longer than this many times the distance is cut off: a corner that turns by more than 168.5°.
+/// A miter longer than this many times the distance is beveled: a corner that turns by more than 168.5°.
 const MITER_LIMIT: f64 = 10.0;
 
-/// The distinct points of a path with the vectors along which a distance to the right is laid off.
+/// The distinct points of a path (the samples), with the vectors along which a distance to the right is measured.
 #[derive(Debug, Clone)]
-pub(crate) struct Miters<'a> {
+pub(crate) struct OffsetNormals<'a> {
     /// The points; twice where a corner is beveled.
     pub(crate) points: Cow<'a, [Point]>,
-    /// What one micrometer to the right is there.
+    /// The displacement of one micrometer to the right at each sample.
     pub(crate) vectors: Vec<Point>,
-    /// Numbers of the points in the path, unless they are those of the stations.
+    /// Index of each sample's point in the path, unless all indices agree.
     sources: Option<Vec<usize>>,
     /// Length of the path (µm).
     pub(crate) length: f64,
@@ -40,41 +39,41 @@ pub(crate) struct Miters<'a> {
     pub(crate) arcs: Vec<(Range<usize>, f64)>,
 }
 
-impl<'a> Miters<'a> {
-    /// The stations of a path of at least two points.
+impl<'a> OffsetNormals<'a> {
+    /// The samples of a path of at least two points.
     pub(crate) fn of(path: &'a Path) -> Self {
         let ends = path.raw_angles();
         let ends = [right_of(ends.0), right_of(ends.1)];
-        Self::at_all(path, ends).unwrap_or_else(|| Self::one_by_one(path, ends))
+        Self::of_regular(path, ends).unwrap_or_else(|| Self::of_any(path, ends))
     }
 
-    /// A station at every point; nothing if points repeat or corners are beveled.
-    fn at_all(path: &'a Path, [start, end]: [Point; 2]) -> Option<Self> {
-        let mut line = Line { vectors: Vec::with_capacity(path.points().len()), ..Line::default() };
+    /// One sample for each point; `None` if points repeat or corners are beveled.
+    fn of_regular(path: &'a Path, [start, end]: [Point; 2]) -> Option<Self> {
+        let mut line = NormalsBuilder { vectors: Vec::with_capacity(path.points().len()), ..NormalsBuilder::default() };
         let mut before = None;
         line.vectors.push(start);
-        for (part, points) in path.stretches() {
+        for (segment, points) in path.segments_with_points() {
             let [first, last] = [0, points.len() - 2].map(|i| normal(points[i], points[i + 1]));
             if let Some(before) = before {
                 line.push_miter(before, first);
             }
-            match part.circle(points.len() - 1) {
+            match segment.circle(points.len() - 1) {
                 Some(circle) => line.extend_round(points, &circle),
                 None => line.extend(points),
             }
             before = Some(last);
         }
         line.vectors.push(end);
-        let Line { vectors, length, arcs, .. } = line;
-        line.is_plain.then_some(Self { points: Cow::Borrowed(path.points()), vectors, sources: None, length, arcs })
+        let NormalsBuilder { vectors, length, arcs, .. } = line;
+        line.is_regular.then_some(Self { points: Cow::Borrowed(path.points()), vectors, sources: None, length, arcs })
     }
 
-    /// Stations at the distinct points, two at sharp corners.
-    fn one_by_one(path: &Path, [start, end]: [Point; 2]) -> Self {
+    /// Samples at the distinct points, two at sharp corners.
+    fn of_any(path: &Path, [start, end]: [Point; 2]) -> Self {
         let points = path.points();
-        let mut stations = Stations::default();
-        stations.push(points[0], start, 0);
-        // The distinct point before, and the normal of the segment to it.
+        let mut samples = Samples::default();
+        samples.push(points[0], start, 0);
+        // The previous distinct point, and the normal of the segment to it.
         let (mut before, mut normal) = (points[0], None);
         for (source, &point) in points.iter().enumerate().skip(1) {
             let along = point - before;
@@ -84,22 +83,22 @@ impl<'a> Miters<'a> {
             }
             let next = Point::new(along.y / length, -along.x / length);
             if let Some((normal, at)) = normal {
-                stations.push_corner(before, normal, next, at);
+                samples.push_corner(before, normal, next, at);
             }
             (before, normal) = (point, Some((next, source)));
         }
-        stations.push(path.end(), end, points.len() - 1);
-        let Stations { points, vectors, sources } = stations;
+        samples.push(path.end(), end, points.len() - 1);
+        let Samples { points, vectors, sources } = samples;
         Self { points: points.into(), vectors, sources: Some(sources), length: path.length(), arcs: Vec::new() }
     }
 
     /// The same without the path.
-    pub(crate) fn into_owned(self) -> Miters<'static> {
-        Miters { points: self.points.into_owned().into(), ..self }
+    pub(crate) fn into_owned(self) -> OffsetNormals<'static> {
+        OffsetNormals { points: self.points.into_owned().into(), ..self }
     }
 
-    /// The same with the numbers of other points: those that the points of the path were made from.
-    pub(crate) fn of_sources(self, sources: Vec<usize>) -> Self {
+    /// The same with the indices of other points: those from which the points of the path were made.
+    pub(crate) fn with_sources(self, sources: Vec<usize>) -> Self {
         let sources = match self.sources {
             None => sources,
             Some(own) => own.into_iter().map(|source| sources[source]).collect(),
@@ -111,17 +110,17 @@ impl<'a> Miters<'a> {
         self.vectors.len()
     }
 
-    /// The number of the point of the path at a station.
-    pub(crate) fn source(&self, station: usize) -> usize {
-        self.sources.as_ref().map_or(station, |sources| sources[station])
+    /// The index of the path's point at a sample.
+    pub(crate) fn source(&self, sample: usize) -> usize {
+        self.sources.as_ref().map_or(sample, |sources| sources[sample])
     }
 
-    /// The numbers of all points, by station.
+    /// The indices of all points, by sample.
     pub(crate) fn sources(&self) -> Vec<usize> {
         self.sources.clone().unwrap_or_else(|| (0..self.len()).collect())
     }
 
-    /// The values that belong to the points of the path, by station.
+    /// Values that belong to the points of the path, by sample.
     pub(crate) fn pick(&self, by_point: Vec<f64>) -> Vec<f64> {
         match &self.sources {
             None => by_point,
@@ -142,33 +141,33 @@ fn is_sharp(together: f64) -> bool {
     together * (MITER_LIMIT * MITER_LIMIT) < 2.0
 }
 
-/// Stations that are found stretch by stretch.
-struct Line {
+/// Normals of a path without repeated points and sharp corners, curve by curve.
+struct NormalsBuilder {
     vectors: Vec<Point>,
     length: f64,
     arcs: Vec<(Range<usize>, f64)>,
-    /// Whether no point repeats the one before, and no corner is sharp.
-    is_plain: bool,
+    /// Whether no point repeats the previous one and no corner is sharp.
+    is_regular: bool,
 }
 
-impl Default for Line {
+impl Default for NormalsBuilder {
     fn default() -> Self {
-        Self { vectors: Vec::new(), length: 0.0, arcs: Vec::new(), is_plain: true }
+        Self { vectors: Vec::new(), length: 0.0, arcs: Vec::new(), is_regular: true }
     }
 }
 
-impl Line {
+impl NormalsBuilder {
     fn push_miter(&mut self, before: Point, after: Point) {
         let together = 1.0 + before.dot(after);
-        self.is_plain &= !is_sharp(together);
+        self.is_regular &= !is_sharp(together);
         self.vectors.push((before + after) / together);
     }
 
-    /// The miters between the ends of a stretch of any shape.
+    /// The miters between the ends of any curve.
     fn extend(&mut self, points: &[Point]) {
         let (mut shortest, mut length, from) = (f64::INFINITY, 0.0, self.vectors.len());
         self.vectors.resize(from + points.len() - 1, Point::ORIGIN);
-        // The normals of the segments first, and in their places the miters.
+        // First the normals of the chords, then the miters in the same memory.
         for (vector, segment) in self.vectors[from..].iter_mut().zip(points.windows(2)) {
             let along = segment[1] - segment[0];
             let own = along.dot(along).sqrt();
@@ -184,7 +183,7 @@ impl Line {
         }
         self.vectors.pop();
         self.length += length;
-        self.is_plain &= shortest > REPEATED && !is_sharp(sharpest);
+        self.is_regular &= shortest > REPEATED && !is_sharp(sharpest);
     }
 
     /// The miters between the ends of an arc.
@@ -192,22 +191,22 @@ impl Line {
         let (from, last) = (self.vectors.len(), points.len() - 1);
         self.vectors.extend(points[1..last].iter().map(circle.miter()));
         self.length += circle.chord() * last as f64;
-        self.is_plain &= circle.chord() > REPEATED;
+        self.is_regular &= circle.chord() > REPEATED;
         if last > 2 {
             self.arcs.push((from..from + last - 2, circle.bend()));
         }
     }
 }
 
-/// Stations that are found one by one.
+/// Samples collected point by point.
 #[derive(Default)]
-struct Stations {
+struct Samples {
     points: Vec<Point>,
     vectors: Vec<Point>,
     sources: Vec<usize>,
 }
 
-impl Stations {
+impl Samples {
     fn push(&mut self, point: Point, miter: Point, source: usize) {
         self.points.push(point);
         self.vectors.push(miter);
@@ -253,7 +252,7 @@ mod tests {
     fn miters_and_lengths_of_arcs_are_those_of_their_points() {
         for path in round_paths() {
             let ends = [right_of(path.start_angle()), right_of(path.end_angle())];
-            let (round, each) = (Miters::at_all(&path, ends).unwrap(), Miters::one_by_one(&path, ends));
+            let (round, each) = (OffsetNormals::of_regular(&path, ends).unwrap(), OffsetNormals::of_any(&path, ends));
             assert_eq!((&round.points, round.sources()), (&each.points, each.sources()));
             let by_points: f64 = path.points().windows(2).map(|segment| segment[0].distance(segment[1])).sum();
             assert!((round.length - by_points).abs() < 1e-9, "{} {by_points}", round.length);
@@ -267,11 +266,11 @@ mod tests {
     #[test]
     fn segments_of_arcs_bend_as_their_miters_do() {
         for path in round_paths() {
-            let miters = Miters::of(&path);
-            for (segments, bend) in miters.arcs.clone() {
+            let normals = OffsetNormals::of(&path);
+            for (segments, bend) in normals.arcs.clone() {
                 for i in segments {
                     let (along, apart) =
-                        (miters.points[i + 1] - miters.points[i], miters.vectors[i + 1] - miters.vectors[i]);
+                        (normals.points[i + 1] - normals.points[i], normals.vectors[i + 1] - normals.vectors[i]);
                     assert!((apart.dot(along) / along.dot(along) - bend).abs() < 1e-9 / along.norm());
                 }
             }
@@ -279,10 +278,10 @@ mod tests {
     }
 
     #[test]
-    fn repeated_points_and_sharp_corners_are_no_stations_of_their_own() {
+    fn repeated_points_have_one_sample_and_sharp_corners_two() {
         let repeated = Path::from_points([(0, 0), (4, 0), (4, 0), (9, 0)]).unwrap();
-        assert_eq!(Miters::of(&repeated).sources(), [0, 1, 3]);
+        assert_eq!(OffsetNormals::of(&repeated).sources(), [0, 1, 3]);
         let sharp = Path::from_points([(0, 0), (9, 0), (0, 1)]).unwrap();
-        assert_eq!(Miters::of(&sharp).sources(), [0, 1, 1, 2]);
+        assert_eq!(OffsetNormals::of(&sharp).sources(), [0, 1, 1, 2]);
     }
 }

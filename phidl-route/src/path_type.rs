@@ -1,4 +1,4 @@
-//! [`PathType`]: the way points of a smooth or sharp route, by name.
+//! [`PathType`]: the waypoints of a smooth or sharp route, by name.
 
 use phidl_core::Result;
 use phidl_core::geom::Point;
@@ -6,7 +6,7 @@ use phidl_core::num::angle;
 use phidl_macros::Choice;
 
 use crate::manhattan;
-use crate::request::{Request, refused};
+use crate::port_pair::{PortPair, refused};
 
 /// Which way a route takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Choice)]
@@ -44,7 +44,7 @@ const STRAIGHT_ON: f64 = 1e-6;
 const REPEATED: f64 = 1e-9;
 
 /// The choice of a way with what belongs to it.
-pub(crate) struct Way<'a> {
+pub(crate) struct WaypointRule<'a> {
     pub(crate) what: &'a str,
     pub(crate) path_type: PathType,
     pub(crate) manual_path: Option<&'a [Point]>,
@@ -55,26 +55,26 @@ pub(crate) struct Way<'a> {
     pub(crate) radius: f64,
 }
 
-impl Way<'_> {
-    /// The way points, from port to port.
-    pub(crate) fn points(&self, request: &Request<'_>) -> Result<Vec<Point>> {
+impl WaypointRule<'_> {
+    /// The waypoints, from port to port.
+    pub(crate) fn points(&self, pair: &PortPair<'_>) -> Result<Vec<Point>> {
         self.check_options()?;
         let (length1, length2) = (self.length1, self.length2);
         let points = match self.path_type {
-            PathType::Straight => manhattan::straight(request),
-            PathType::L => manhattan::l(request),
-            PathType::U => manhattan::u(request, length1.unwrap_or(200.0)),
-            PathType::J => manhattan::j(request, length1.unwrap_or(200.0), length2.unwrap_or(200.0)),
+            PathType::Straight => manhattan::straight(pair),
+            PathType::L => manhattan::l(pair),
+            PathType::U => manhattan::u(pair, length1.unwrap_or(200.0)),
+            PathType::J => manhattan::j(pair, length1.unwrap_or(200.0), length2.unwrap_or(200.0)),
             PathType::C => {
                 let left1 = self.left1.unwrap_or(100.0);
-                manhattan::c(request, length1.unwrap_or(100.0), left1, length2.unwrap_or(100.0))
+                manhattan::c(pair, length1.unwrap_or(100.0), left1, length2.unwrap_or(100.0))
             }
-            PathType::V => manhattan::v(request),
-            PathType::Z => manhattan::z(request, length1.unwrap_or(100.0), length2.unwrap_or(100.0)),
-            PathType::Manhattan => manhattan::manhattan(request, self.radius),
+            PathType::V => manhattan::v(pair),
+            PathType::Z => manhattan::z(pair, length1.unwrap_or(100.0), length2.unwrap_or(100.0)),
+            PathType::Manhattan => manhattan::manhattan(pair, self.radius),
             PathType::Manual => self.manual(),
         }?;
-        request.check_way(&points)?;
+        pair.check_waypoints(&points)?;
         Ok(points)
     }
 

@@ -1,4 +1,4 @@
-//! [`Request`]: two ports to be joined, and the rules between them.
+//! [`PortPair`]: two ports to be joined, and the rules between them.
 //!
 //! Every rule is checked here or in terms of the numbers found here, so that a route that cannot be made says the same
 //! in every family: which two ports, what was measured between them, and how much is missing. The alternative, an error
@@ -21,7 +21,7 @@ const JOINT: f64 = 1e-6;
 
 /// Two ports on their way to be joined: where the second one lies as seen from the first.
 #[derive(Debug, Clone)]
-pub(crate) struct Request<'a> {
+pub(crate) struct PortPair<'a> {
     what: &'a str,
     pub(crate) port1: &'a Port,
     pub(crate) port2: &'a Port,
@@ -32,8 +32,8 @@ pub(crate) struct Request<'a> {
     pub(crate) left1: Point,
 }
 
-impl<'a> Request<'a> {
-    /// The request of a route; refused if a port is not at a finite place.
+impl<'a> PortPair<'a> {
+    /// The pair of a route; refused if a port is not at a finite place.
     pub(crate) fn new(what: &'a str, port1: &'a Port, port2: &'a Port) -> Result<Self> {
         for (name, port) in [("port1", port1), ("port2", port2)] {
             let sound = port.midpoint().is_finite() && port.orientation().is_finite() && port.width().is_finite();
@@ -62,18 +62,18 @@ impl<'a> Request<'a> {
     }
 
     /// A point in the frame of the first port: forwards and to the left (µm).
-    pub(crate) fn seen(&self, point: Point) -> Point {
+    pub(crate) fn to_local(&self, point: Point) -> Point {
         let from = point - self.port1.midpoint();
         Point::new(from.dot(self.forward1), from.dot(self.left1))
     }
 
     /// How far in front of the first port the second one lies (µm).
-    pub(crate) fn ahead(&self) -> f64 {
+    pub(crate) fn forward_distance(&self) -> f64 {
         self.span().dot(self.forward1)
     }
 
     /// How far to the left of the first port the second one lies (µm).
-    pub(crate) fn aside(&self) -> f64 {
+    pub(crate) fn lateral_distance(&self) -> f64 {
         self.span().dot(self.left1)
     }
 
@@ -108,9 +108,9 @@ impl<'a> Request<'a> {
         self.refused(format_args!("{what} of {length}"), format!("have at least {least}: {short} are missing"))
     }
 
-    /// Refuses way points that do not start and end on the ports, leave the first one forwards and enter the second one
+    /// Refuses waypoints that do not start and end on the ports, leave the first one forwards and enter the second one
     /// from the front.
-    pub(crate) fn check_way(&self, points: &[Point]) -> Result<()> {
+    pub(crate) fn check_waypoints(&self, points: &[Point]) -> Result<()> {
         let (first, last) = (points[0], points[points.len() - 1]);
         let off = first.distance(self.port1.midpoint()).max(last.distance(self.port2.midpoint()));
         if off > JOINT {
@@ -187,7 +187,7 @@ pub(crate) fn micrometers(um: f64) -> String {
 }
 
 /// The unit vector along which a port looks, as the specification has it: of the plain sine and cosine, also at multiples
-/// of 90°. (Exact ones would move way points by 1e-14 µm only, but whether a bend has 179 points or 180 hangs on that.)
+/// of 90°. (Exact ones would move waypoints by 1e-14 µm only, but whether a bend has 179 points or 180 hangs on that.)
 fn forward(port: &Port) -> Point {
     let (sin, cos) = port.orientation().to_radians().sin_cos();
     Point::new(cos, sin)
@@ -218,23 +218,23 @@ mod tests {
     #[test]
     fn the_second_port_is_measured_from_the_first() {
         let (a, b) = (port(1.0, 2.0, 90.0), port(-3.0, 12.0, 0.0));
-        let request = Request::new("test", &a, &b).unwrap();
-        assert!((request.ahead() - 10.0).abs() < 1e-12 && (request.aside() - 4.0).abs() < 1e-12);
-        assert_eq!(request.turn(), 270.0);
+        let pair = PortPair::new("test", &a, &b).unwrap();
+        assert!((pair.forward_distance() - 10.0).abs() < 1e-12 && (pair.lateral_distance() - 4.0).abs() < 1e-12);
+        assert_eq!(pair.turn(), 270.0);
     }
 
     #[test]
     fn a_full_turn_but_for_noise_is_none() {
         let (a, b) = (port(0.0, 0.0, 0.0), port(9.0, 9.0, 359.999_999_99));
-        assert_eq!(Request::new("test", &a, &b).unwrap().turn(), 0.0);
+        assert_eq!(PortPair::new("test", &a, &b).unwrap().turn(), 0.0);
     }
 
     #[test]
     fn what_is_missing_is_told_with_both_ports() {
         let (a, b) = (port(0.0, 0.0, 0.0).named("in"), port(3.1, 5.0, 270.0));
-        let request = Request::new("route", &a, &b).unwrap();
+        let pair = PortPair::new("route", &a, &b).unwrap();
         assert_eq!(
-            request.check_room("a leg", request.ahead(), 5.0).unwrap_err().to_string(),
+            pair.check_room("a leg", pair.forward_distance(), 5.0).unwrap_err().to_string(),
             "route: the way from port1 \"in\" at (0, 0) facing 0° to port2 at (3.1, 5) facing 270° is a leg of 3.1 µm, \
              but it must have at least 5 µm: 1.9 µm are missing"
         );
@@ -243,9 +243,9 @@ mod tests {
     #[test]
     fn a_way_that_misses_a_port_or_its_direction_is_refused() {
         let (a, b) = (port(0.0, 0.0, 0.0), port(10.0, 5.0, 270.0));
-        let request = Request::new("route", &a, &b).unwrap();
+        let pair = PortPair::new("route", &a, &b).unwrap();
         let check =
-            |points: &[(f64, f64)]| request.check_way(&points.iter().copied().map(Point::from).collect::<Vec<_>>());
+            |points: &[(f64, f64)]| pair.check_waypoints(&points.iter().copied().map(Point::from).collect::<Vec<_>>());
         assert!(check(&[(0., 0.), (10., 0.), (10., 5.)]).is_ok());
         assert!(check(&[(0., 0.), (0., 0.), (10., 0.), (10., 5.)]).is_ok(), "a repeated point has no direction");
         assert!(check(&[(0., 0.), (10., 0.), (10., 4.)]).unwrap_err().to_string().contains("1 µm off its ports"));
@@ -257,7 +257,7 @@ mod tests {
     #[test]
     fn ports_that_cannot_be_are_refused() {
         let sound = port(0.0, 0.0, 0.0);
-        assert!(Request::new("route", &sound, &port(f64::NAN, 0.0, 0.0)).is_err());
-        assert!(Request::new("route", &Port::new((0, 0), -1, 0), &sound).is_err());
+        assert!(PortPair::new("route", &sound, &port(f64::NAN, 0.0, 0.0)).is_err());
+        assert!(PortPair::new("route", &Port::new((0, 0), -1, 0), &sound).is_err());
     }
 }

@@ -1,4 +1,4 @@
-//! The chooser: way points with right angles between any two ports that allow them.
+//! The chooser: waypoints with right angles between any two ports that allow them.
 //!
 //! The rules are the reference's, which always find legs that are long enough. Where the line that they choose crosses
 //! itself, the shortest one that does not is taken instead, if there is any (see [`detour`](super::detour)).
@@ -8,14 +8,14 @@ use phidl_core::geom::Point;
 use phidl_core::port::Port;
 use phidl_path::Path;
 
-use super::cover::Wire;
+use super::footprint::Wire;
 use super::{corners, crossing, detour, loops};
-use crate::request::{Request, check_positive, round3};
+use crate::port_pair::{PortPair, check_positive, round3};
 
 /// How much more than its radius (µm) a bend gets, as the reference has it.
 pub(crate) const MARGIN: f64 = 0.1;
 
-/// Way points at right angles between any two ports turned by a multiple of 90° against each other, with room for a bend
+/// Waypoints at right angles between any two ports turned by a multiple of 90° against each other, with room for a bend
 /// of a radius (µm) at every corner: straight, L, U, J or C, whichever the places of the ports call for.
 ///
 /// Legs between corners are at least `2 · (radius + 0.1)` long, those at the ports `radius + 0.1`. Where it
@@ -34,59 +34,59 @@ pub(crate) const MARGIN: f64 = 0.1;
 /// greater than 0.
 pub fn path_manhattan(port1: impl Into<Port>, port2: impl Into<Port>, radius: impl Into<f64>) -> Result<Path> {
     let (port1, port2) = (port1.into(), port2.into());
-    manhattan(&Request::new("path_manhattan", &port1, &port2)?, radius.into()).and_then(Path::from_points)
+    manhattan(&PortPair::new("path_manhattan", &port1, &port2)?, radius.into()).and_then(Path::from_points)
 }
 
-pub(crate) fn manhattan(request: &Request<'_>, radius: f64) -> Result<Vec<Point>> {
+pub(crate) fn manhattan(pair: &PortPair<'_>, radius: f64) -> Result<Vec<Point>> {
     check_positive("path_manhattan", "radius", radius)?;
-    check_right_angles(request)?;
-    let reach = radius + MARGIN;
-    let points = usual(request, reach)?;
+    check_right_angles(pair)?;
+    let extent = radius + MARGIN;
+    let points = ordinary(pair, extent)?;
     if crossing::crossings(&points) == 0 {
         return Ok(points);
     }
-    Ok(detour::shortest(request, reach, &mut Wire::sharp(), &[])?.unwrap_or(points))
+    Ok(detour::shortest(pair, extent, &mut Wire::sharp(), &[])?.unwrap_or(points))
 }
 
-pub(crate) fn check_right_angles(request: &Request<'_>) -> Result<()> {
-    request.check_turn(&[0.0, 90.0, 180.0, 270.0], "be between ports turned by a multiple of 90°")
+pub(crate) fn check_right_angles(pair: &PortPair<'_>) -> Result<()> {
+    pair.check_turn(&[0.0, 90.0, 180.0, 270.0], "be between ports turned by a multiple of 90°")
 }
 
-/// The usual choice, with as much room at every corner as a bend reaches (µm).
-pub(crate) fn usual(request: &Request<'_>, reach: f64) -> Result<Vec<Point>> {
-    match request.turn() {
-        90.0 | 270.0 => orthogonal(request, reach),
-        _ => parallel(request, reach),
+/// The ordinary choice, with as much room at every corner as a bend reaches (µm).
+pub(crate) fn ordinary(pair: &PortPair<'_>, extent: f64) -> Result<Vec<Point>> {
+    match pair.turn() {
+        90.0 | 270.0 => orthogonal(pair, extent),
+        _ => parallel(pair, extent),
     }
 }
 
 /// Between ports at a right angle.
-fn orthogonal(request: &Request<'_>, reach: f64) -> Result<Vec<Point>> {
-    let (x, y) = (round3(request.ahead()), round3(request.aside()));
-    let side = if request.turn() == 270.0 { -1.0 } else { 1.0 };
-    if x > reach && -side * y > reach {
-        return corners::l(request);
+fn orthogonal(pair: &PortPair<'_>, extent: f64) -> Result<Vec<Point>> {
+    let (x, y) = (round3(pair.forward_distance()), round3(pair.lateral_distance()));
+    let side = if pair.turn() == 270.0 { -1.0 } else { 1.0 };
+    if x > extent && -side * y > extent {
+        return corners::l(pair);
     }
-    let length1 = if (reach - x).abs() < 2.0 * reach { 2.0 * reach + x } else { reach };
-    let length2 = if (reach + side * y).abs() < 2.0 * reach { 2.0 * reach - side * y } else { reach };
-    loops::j(request, length1, length2)
+    let length1 = if (extent - x).abs() < 2.0 * extent { 2.0 * extent + x } else { extent };
+    let length2 = if (extent + side * y).abs() < 2.0 * extent { 2.0 * extent - side * y } else { extent };
+    loops::j(pair, length1, length2)
 }
 
 /// Between ports that look in the same or in opposite directions.
-fn parallel(request: &Request<'_>, reach: f64) -> Result<Vec<Point>> {
-    let (x, y) = (round3(request.ahead()), round3(request.aside()));
-    let facing = request.turn() == 180.0;
+fn parallel(pair: &PortPair<'_>, extent: f64) -> Result<Vec<Point>> {
+    let (x, y) = (round3(pair.forward_distance()), round3(pair.lateral_distance()));
+    let facing = pair.turn() == 180.0;
     if facing && y == 0.0 && x > 0.0 {
-        return corners::straight(request);
+        return corners::straight(pair);
     }
-    if !(facing && x <= 2.0 * reach || y.abs() < 2.0 * reach) {
-        let length1 = if !facing && x > 0.0 { reach + x } else { reach };
-        return loops::u(request, length1);
+    if !(facing && x <= 2.0 * extent || y.abs() < 2.0 * extent) {
+        let length1 = if !facing && x > 0.0 { extent + x } else { extent };
+        return loops::u(pair, length1);
     }
-    let aside = if y.abs() < 4.0 * reach { y.abs() + 2.0 * reach } else { 2.0 * reach };
-    let beyond = if facing { x - reach } else { x + reach };
-    let length1 = if (beyond - reach).abs() < 2.0 * reach { beyond + 2.0 * reach } else { reach };
-    loops::c(request, length1, if y < 0.0 { -aside } else { aside }, reach)
+    let aside = if y.abs() < 4.0 * extent { y.abs() + 2.0 * extent } else { 2.0 * extent };
+    let beyond = if facing { x - extent } else { x + extent };
+    let length1 = if (beyond - extent).abs() < 2.0 * extent { beyond + 2.0 * extent } else { extent };
+    loops::c(pair, length1, if y < 0.0 { -aside } else { aside }, extent)
 }
 
 #[cfg(test)]

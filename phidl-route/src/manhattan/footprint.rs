@@ -1,4 +1,4 @@
-//! What a wire covers: convex pieces along its way, and which of them lie on one another.
+//! What a wire covers: convex footprints along its way, and which of them lie on one another.
 //!
 //! Whether a wire runs over itself is asked of the wire as it is drawn, with its width and its bends cut across the
 //! corners; of a line without width one learns neither that two legs touch nor that two corners do not.
@@ -15,7 +15,7 @@ use phidl_core::geom::{Point, Rect};
 use phidl_path::Bend as _;
 
 use super::RouteBend;
-use crate::request::{left_of, refused};
+use crate::port_pair::{left_of, refused};
 
 /// Pieces that share a strip no wider than this (µm) only touch: rounding.
 const TOUCH: f64 = 1e-6;
@@ -24,7 +24,7 @@ const THINNEST: f64 = 0.5e-3;
 /// In how many quadrilaterals a bend is covered. At 90° these stand out from it by 0.05 % of its outer radius, which is
 /// how early a touch is seen.
 const SLICES: usize = 24;
-/// Places along the way by which two pieces must differ to be compared: legs have even numbers, corners odd ones.
+/// Places along the way by which two footprints must differ to be compared: legs have even numbers, corners odd ones.
 const APART: usize = 6;
 
 /// A right angle, and how much (degrees) makes no difference to a bend.
@@ -49,7 +49,7 @@ struct Shape {
     /// How far it turns (degrees).
     angle: f64,
     /// How far before its corner it starts (µm).
-    reach: f64,
+    extent: f64,
     /// A box around it.
     bounds: Rect,
     half_width: f64,
@@ -60,7 +60,7 @@ struct Shape {
 
 /// A leg or a bend of a wire.
 #[derive(Debug, Clone)]
-pub(crate) struct Piece {
+pub(crate) struct Footprint {
     /// Its place along the way: leg, corner, leg, corner …
     place: usize,
     bounds: Rect,
@@ -76,7 +76,7 @@ enum Covered {
 
 impl Wire {
     /// A wire with bends of a radius (µm) at its corners.
-    pub(crate) fn bent(width: f64, bend: RouteBend, radius: f64) -> Self {
+    pub(crate) fn with_bends(width: f64, bend: RouteBend, radius: f64) -> Self {
         Self { half_width: (width / 2.0).max(THINNEST), bend: Some((bend, radius)), shapes: Vec::new() }
     }
 
@@ -85,39 +85,39 @@ impl Wire {
         Self { half_width: THINNEST, bend: None, shapes: Vec::new() }
     }
 
-    /// The pieces of a wire along way points.
-    pub(crate) fn cover(&mut self, points: &[Point]) -> Result<Vec<Piece>> {
+    /// The footprints of a wire along waypoints.
+    pub(crate) fn footprints(&mut self, points: &[Point]) -> Result<Vec<Footprint>> {
         let legs: Vec<Point> = points.windows(2).map(|leg| (leg[1] - leg[0]) / leg[0].distance(leg[1])).collect();
-        let mut pieces = Vec::with_capacity(2 * legs.len());
+        let mut footprints = Vec::with_capacity(2 * legs.len());
         let mut from = points[0];
         for (leg, along) in legs.iter().enumerate() {
             if leg > 0 {
-                pieces.push(self.corner(leg, points[leg], legs[leg - 1], *along)?);
+                footprints.push(self.corner(leg, points[leg], legs[leg - 1], *along)?);
             }
-            let reach = legs.get(leg + 1).map_or(Ok(0.0), |after| self.reach(*along, *after))?;
-            pieces.push(self.leg(leg, from, points[leg + 1] - *along * reach));
-            from = legs.get(leg + 1).map_or(from, |after| points[leg + 1] + *after * reach);
+            let extent = legs.get(leg + 1).map_or(Ok(0.0), |after| self.extent(*along, *after))?;
+            footprints.push(self.leg(leg, from, points[leg + 1] - *along * extent));
+            from = legs.get(leg + 1).map_or(from, |after| points[leg + 1] + *after * extent);
         }
-        Ok(pieces)
+        Ok(footprints)
     }
 
     /// The straight part of a leg.
-    pub(crate) fn leg(&self, leg: usize, from: Point, to: Point) -> Piece {
-        Piece::straight(2 * leg, from, to, self.half_width)
+    pub(crate) fn leg(&self, leg: usize, from: Point, to: Point) -> Footprint {
+        Footprint::straight(2 * leg, from, to, self.half_width)
     }
 
     /// The bend before a leg, at the corner between two directions.
-    pub(crate) fn corner(&mut self, leg: usize, at: Point, before: Point, after: Point) -> Result<Piece> {
+    pub(crate) fn corner(&mut self, leg: usize, at: Point, before: Point, after: Point) -> Result<Footprint> {
         let shape = Rc::clone(self.shape(before, after)?);
         let side = if before.cross(after) < 0.0 { -1.0 } else { 1.0 };
-        let frame = [at - before * shape.reach, before, left_of(before) * side];
+        let frame = [at - before * shape.extent, before, left_of(before) * side];
         let bounds = around(shape.bounds.corners().map(|p| placed(p, &frame)));
-        Ok(Piece { place: 2 * leg - 1, bounds, covered: Covered::Bend(shape, frame) })
+        Ok(Footprint { place: 2 * leg - 1, bounds, covered: Covered::Bend(shape, frame) })
     }
 
     /// How far the bend between two directions reaches (µm).
-    pub(crate) fn reach(&mut self, before: Point, after: Point) -> Result<f64> {
-        self.shape(before, after).map(|shape| shape.reach)
+    pub(crate) fn extent(&mut self, before: Point, after: Point) -> Result<f64> {
+        self.shape(before, after).map(|shape| shape.extent)
     }
 
     fn shape(&mut self, before: Point, after: Point) -> Result<&Rc<Shape>> {
@@ -136,26 +136,26 @@ impl Wire {
 impl Shape {
     fn new(bend: Option<(RouteBend, f64)>, angle: f64, half_width: f64) -> Result<Self> {
         if !angle.is_finite() {
-            // Legs of no length, or further apart than numbers reach.
-            return Err(refused("route", "way points", "a corner without directions", "be finite and apart"));
+            // Legs of no length, or further apart than numbers extent.
+            return Err(refused("route", "waypoints", "a corner without directions", "be finite and apart"));
         }
-        let reach = bend.map_or(Ok(0.0), |(bend, radius)| bend.reach(radius, angle))?;
+        let extent = bend.map_or(Ok(0.0), |(bend, radius)| bend.extent(radius, angle))?;
         // Between its tangents, and so in the triangle that they make with its chord.
-        let corner = Point::new(reach, 0.0);
-        let mut bounds = around([Point::ORIGIN, corner, corner + Point::polar(reach, angle)]).grown(half_width);
+        let corner = Point::new(extent, 0.0);
+        let mut bounds = around([Point::ORIGIN, corner, corner + Point::polar(extent, angle)]).grown(half_width);
         // But never behind its faces, or it would seem to lie on what it joins.
         if angle < RIGHT + ALIKE && bend.is_some() {
             bounds.min.x = 0.0;
-            bounds.max.y = if angle > RIGHT - ALIKE { reach } else { bounds.max.y };
+            bounds.max.y = if angle > RIGHT - ALIKE { extent } else { bounds.max.y };
         }
-        Ok(Self { angle, reach, bounds, half_width, bend, quads: OnceCell::new() })
+        Ok(Self { angle, extent, bounds, half_width, bend, quads: OnceCell::new() })
     }
 
     fn quads(&self) -> &[Quad] {
         self.quads.get_or_init(|| match self.bend {
             None => vec![[(-1, -1), (1, -1), (1, 1), (-1, 1)].map(|p| Point::from(p) * self.half_width)],
             Some((bend, radius)) => {
-                let path = bend.bend(radius, self.angle).expect("invariant: a bend that has a reach can be drawn");
+                let path = bend.bend(radius, self.angle).expect("invariant: a bend that has a extent can be drawn");
                 slices(path.points(), self.angle, self.half_width)
             }
         })
@@ -192,10 +192,10 @@ fn placed(p: Point, [origin, along, left]: &[Point; 3]) -> Point {
 }
 
 fn around(points: impl IntoIterator<Item = Point>) -> Rect {
-    Rect::around(points).expect("invariant: there is no piece without points")
+    Rect::around(points).expect("invariant: there is no footprint without points")
 }
 
-impl Piece {
+impl Footprint {
     fn straight(place: usize, from: Point, to: Point, half_width: f64) -> Self {
         let (along, length) = (to - from, from.distance(to));
         let left = if length > 0.0 { left_of(along / length) * half_width } else { Point::ORIGIN };
@@ -208,12 +208,12 @@ impl Piece {
         Self::straight(0, from, to, width / 2.0)
     }
 
-    /// Whether two pieces lie on one another, and do not only touch.
+    /// Whether two footprints lie on one another, and do not only touch.
     pub(crate) fn overlaps(&self, other: &Self) -> bool {
         boxes_overlap(&self.bounds, &other.bounds) && self.depths(other).any(|depth| depth > TOUCH)
     }
 
-    /// By how much two pieces would have to move apart, so that they only touch (µm).
+    /// By how much two footprints would have to move apart, so that they only touch (µm).
     pub(crate) fn depth(&self, other: &Self) -> f64 {
         match boxes_overlap(&self.bounds, &other.bounds) {
             true => self.depths(other).fold(0.0, f64::max),
@@ -229,13 +229,13 @@ impl Piece {
         })
     }
 
-    /// The quadrilaterals that reach into a box, each with its own.
+    /// The quadrilaterals that extent into a box, each with its own.
     fn quads_in(&self, bounds: &Rect) -> Vec<(Quad, Rect)> {
         let boxed = self.quads().map(|quad| (quad, around(quad)));
         boxed.filter(|(_, own)| boxes_overlap(own, bounds)).collect()
     }
 
-    /// Whether two pieces of one wire lie on one another.
+    /// Whether two footprints of one wire lie on one another.
     pub(crate) fn lies_on(&self, other: &Self) -> bool {
         self.place.abs_diff(other.place) >= APART && self.overlaps(other)
     }
@@ -275,30 +275,30 @@ fn shared_across([from, to]: [Point; 2], a: &Quad, b: &Quad) -> f64 {
     to_a.min(to_b) - from_a.max(from_b)
 }
 
-/// How many pairs of pieces of a wire lie on one another.
-pub(crate) fn self_overlaps(pieces: &[Piece]) -> usize {
-    if pieces.len() <= APART {
+/// How many pairs of footprints of a wire lie on one another.
+pub(crate) fn self_overlaps(footprints: &[Footprint]) -> usize {
+    if footprints.len() <= APART {
         return 0;
     }
-    pairs(pieces).filter(|[a, b]| a.lies_on(b)).count()
+    pairs(footprints).filter(|[a, b]| a.lies_on(b)).count()
 }
 
-/// Pairs of pieces whose boxes share a stretch of the longer side of the whole: few, where many pieces follow each other.
-fn pairs(pieces: &[Piece]) -> impl Iterator<Item = [&Piece; 2]> {
-    let whole = Rect::around(pieces.iter().flat_map(|piece| [piece.bounds.min, piece.bounds.max]));
+/// Pairs of footprints whose boxes share a stretch of the longer side of the whole: few, where many footprints follow each other.
+fn pairs(footprints: &[Footprint]) -> impl Iterator<Item = [&Footprint; 2]> {
+    let whole = Rect::around(footprints.iter().flat_map(|footprint| [footprint.bounds.min, footprint.bounds.max]));
     let upright = whole.is_some_and(|whole| whole.size().height > whole.size().width);
-    let range = move |piece: &Piece| match upright {
-        true => (piece.bounds.min.y, piece.bounds.max.y),
-        false => (piece.bounds.min.x, piece.bounds.max.x),
+    let range = move |footprint: &Footprint| match upright {
+        true => (footprint.bounds.min.y, footprint.bounds.max.y),
+        false => (footprint.bounds.min.x, footprint.bounds.max.x),
     };
-    let mut sorted: Vec<&Piece> = pieces.iter().collect();
+    let mut sorted: Vec<&Footprint> = footprints.iter().collect();
     sorted.sort_by(|a, b| range(a).0.total_cmp(&range(b).0));
     let neighbors = move |i: usize| {
         let reached = range(sorted[i]).1;
         let near = sorted[i + 1..].iter().take_while(|other| range(other).0 < reached);
         near.map(|other| [sorted[i], *other]).collect::<Vec<_>>()
     };
-    (0..pieces.len()).flat_map(neighbors)
+    (0..footprints.len()).flat_map(neighbors)
 }
 
 #[cfg(test)]
@@ -309,8 +309,8 @@ mod tests {
     fn overlaps(width: f64, points: &[(f64, f64)]) -> usize {
         let points: Vec<Point> = points.iter().copied().map(Point::from).collect();
         let count = |points: &[Point]| {
-            let pieces = Wire::bent(width, RouteBend::Circular, 5.0).cover(points).unwrap();
-            self_overlaps(&pieces)
+            let footprints = Wire::with_bends(width, RouteBend::Circular, 5.0).footprints(points).unwrap();
+            self_overlaps(&footprints)
         };
         let turn = phidl_core::geom::Transform::rotation(37.0);
         let turned: Vec<Point> = points.iter().map(|p| turn.apply(*p + Point::new(1e3, 3e2))).collect();
