@@ -21,7 +21,8 @@ pub(super) fn measure(sitting: &Sitting<'_>) -> anyhow::Result<Section> {
     let extrude = || Path::from_points(&points)?.extrude(&strips);
     section.add("extrude 10,000 points over 3 sections", clock::best(extrude), &times, "extrude");
     extrude().map_err(crate::report)?; // an overlap would end it early
-    let x = || Path::from_points(&points).and_then(|path| Extrusion::new(&path, &strips).overlaps(Overlaps::Keep).build());
+    let x =
+        || Path::from_points(&points).and_then(|path| Extrusion::new(&path, &strips).overlaps(Overlaps::Keep).build());
     section.add("the same without the check for overlaps", clock::best(x), &times, "extrude");
     let bend = EulerBend::new();
     let (bends, extruded) = (|| drawn(bend, Ok), || drawn(bend, |path| path.extrude_width(0.5, 1)));

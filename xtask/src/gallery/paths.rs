@@ -6,7 +6,7 @@ use phidl_core::prelude::*;
 use phidl_io::svg::{self, FigureOptions};
 use phidl_path::{ArcBend, CrossSection, EulerBend, Path, Section, Spiral, TransitionShape, transition};
 use phidl_route::{
-    RouteProfile, PathType, RouteBasicParams, RouteBend, RouteSmoothParams, route_manhattan_auto, route_quad,
+    PathType, RouteBasicParams, RouteBend, RouteProfile, RouteSmoothParams, route_manhattan_auto, route_quad,
     route_serpentine, route_sharp,
 };
 
@@ -84,7 +84,10 @@ fn routes() -> Result<Device> {
         [
             vec![
                 ("quad", route_quad(((0, 0), 12, 0), ((40, 12), 4, 180), None, None, 0)?),
-                ("basic", RouteBasicParams::new(((0, 0), 2, 0), ((50, 25), 6, 180)).path_type(RouteProfile::Sine).build()?),
+                (
+                    "basic",
+                    RouteBasicParams::new(((0, 0), 2, 0), ((50, 25), 6, 180)).path_type(RouteProfile::Sine).build()?,
+                ),
                 ("sharp", route_sharp(&a, &b, None, PathType::Manhattan, 0)?),
                 ("smooth", RouteSmoothParams::new(&a, &b).radius(10).path_type(PathType::Manhattan).build()?),
             ],
