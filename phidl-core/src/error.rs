@@ -1,21 +1,23 @@
 //! The one error of the scene graph and of generators.
 //!
-//! Every variant names what was refused and the rule. Errors are `Clone`, since a cache hands one failure to every
-//! caller that waited for it, and compare with `==`, so tests can state them. Context is added by wrapping
-//! ([`Error::Context`]), one fact per layer; `Display` prints its own layer and `source()` leads to the next.
+//! Every variant prints one sentence that names the cell and the rule. Errors are `Clone`, since a cache hands one
+//! failure to every caller that waited for it, and compare with `==`, so tests can state them. Context is added by
+//! wrapping ([`Error::Context`]). `Display` prints the whole chain, outermost cell first, and `Debug` prints the same:
+//! `fn main() -> Result<()>` and `unwrap` show the sentence. `source()` is empty for that reason: a reporter that
+//! follows sources would print the chain twice.
 
 use std::sync::Arc;
 
-/// The result of everything in phidl that can refuse its input.
+/// The result of every fallible function of phidl's scene graph.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
 /// Why a cell could not be drawn, edited or found.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
     /// A parameter breaks a rule of its generator.
-    #[error(transparent)]
-    Param(#[from] Box<ParamError>),
+    #[error("{0}")]
+    Param(Box<ParamError>),
     /// A coordinate, angle, width or magnification is NaN or infinite.
     #[error("{device}: {what} is {value}, but it must be finite")]
     NotFinite {
@@ -26,38 +28,34 @@ pub enum Error {
         /// The number.
         value: Box<str>,
     },
-    /// A value breaks a rule of the scene graph: a negative port width, a mirror line of one point, a name without letters.
-    #[error("{device}: {what} is {value}, but it must {rule}")]
-    Refused {
+    /// A value breaks a rule of the scene graph: a negative port width, a mirror line of one point, an empty name.
+    #[error("{device}: {problem}")]
+    Invalid {
         /// The cell.
         device: Box<str>,
-        /// What the value is.
-        what: Box<str>,
-        /// The value.
-        value: Box<str>,
-        /// What it must do, as the end of "it must …".
-        rule: Box<str>,
+        /// The value and the rule that it breaks, as one sentence.
+        problem: Box<str>,
     },
     /// An outline needs three points.
-    #[error("{device}: an outline of {points} points encloses nothing; at least 3 are needed")]
+    #[error("{device}: an outline has {points} point{}, but it needs at least 3", plural(*points))]
     TooFewPoints {
         /// The cell.
         device: Box<str>,
         /// How many points it has.
         points: usize,
     },
-    /// An edge, center or size was asked of something that draws nothing.
-    #[error("{device}: {word} needs something drawn, but {what} is empty")]
+    /// An edge, center or size was asked of an empty element.
+    #[error("{device}: {method} needs a bounding box, but {what} is empty")]
     EmptyGeometry {
         /// The cell.
         device: Box<str>,
-        /// The placement word.
-        word: &'static str,
-        /// The empty thing.
+        /// The placement method.
+        method: &'static str,
+        /// The empty element.
         what: Box<str>,
     },
     /// A name that must be unique in its cell is taken.
-    #[error("{device}: {kind} \"{name}\" exists already")]
+    #[error("{device}: {kind} \"{name}\" already exists")]
     Duplicate {
         /// The cell.
         device: Box<str>,
@@ -66,8 +64,8 @@ pub enum Error {
         /// The name.
         name: Box<str>,
     },
-    /// There is nothing of this name.
-    #[error("{owner}: there is no {kind} \"{name}\"; {}", known_names(.known))]
+    /// Nothing has this name.
+    #[error("{owner}: there is no {kind} \"{name}\"; {}", suggestion(.name, .known))]
     Unknown {
         /// Where it was looked for.
         owner: Box<str>,
@@ -75,10 +73,40 @@ pub enum Error {
         kind: ItemKind,
         /// The name.
         name: Box<str>,
-        /// The names that are there.
+        /// The names that exist.
         known: Vec<String>,
     },
-    /// A generator needs itself with the same parameters, perhaps by way of others.
+    /// A key finds nothing, since its element was removed or was never added.
+    #[error("{device}: the {kind} of this key is not in the cell any more")]
+    Removed {
+        /// The cell.
+        device: Box<str>,
+        /// What the key belonged to.
+        kind: ItemKind,
+    },
+    /// A key was used on a cell that did not make it.
+    #[error("{device}: this key of a {kind} belongs to another open cell, \"{owner}\"")]
+    ForeignKey {
+        /// The cell that was asked.
+        device: Box<str>,
+        /// What the key belongs to.
+        kind: ItemKind,
+        /// The cell that made the key.
+        owner: Box<str>,
+    },
+    /// The flat geometry of a hierarchy is larger than a limit. It was counted before memory was taken.
+    #[error("{device}: the hierarchy has {} {what}, but the limit is {limit}", counted(*.count, *.limit))]
+    TooLarge {
+        /// The cell.
+        device: Box<str>,
+        /// What was counted.
+        what: &'static str,
+        /// How many there are; `None` if counting stopped at the limit or at `u64::MAX`.
+        count: Option<u64>,
+        /// How many are accepted.
+        limit: u64,
+    },
+    /// A generator needs itself with the same parameters, directly or through others.
     #[error("generators wait for each other in a circle: {}", .chain.join(" → "))]
     CyclicDependency {
         /// The generators, the first one repeated at the end.
@@ -92,14 +120,20 @@ pub enum Error {
         /// What is wrong.
         message: Box<str>,
     },
-    /// Something went wrong while a cell was drawn for another one.
-    #[error("in {device}")]
+    /// An error that occurred while a cell was drawn for another one.
+    #[error("in {device}: {error}")]
     Context {
         /// The outer cell.
         device: Box<str>,
-        /// What went wrong.
-        source: Arc<Error>,
+        /// The error inside.
+        error: Arc<Error>,
     },
+}
+
+impl std::fmt::Debug for Error {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        std::fmt::Display::fmt(self, f)
+    }
 }
 
 /// A parameter that breaks a rule; made by [`Check`](crate::param::Check) and by the bounds of `#[param]`.
@@ -108,7 +142,7 @@ pub enum Error {
 pub struct ParamError {
     /// The generator.
     pub device: String,
-    /// The parameter, with the place inside it (`size.width`, `line_widths[3]`) where there is one.
+    /// The parameter, with the path inside it (`size.width`, `line_widths[3]`) if it has parts.
     pub param: String,
     /// The value that was given, with its unit.
     pub value: String,
@@ -161,7 +195,7 @@ impl Error {
     /// This error with the cell that was being drawn when it happened.
     #[must_use]
     pub fn within(self, device: impl Into<Box<str>>) -> Self {
-        Self::Context { device: device.into(), source: Arc::new(self) }
+        Self::Context { device: device.into(), error: Arc::new(self) }
     }
 
     /// The cell that the outermost layer names; none for a circle, which names its own.
@@ -169,10 +203,13 @@ impl Error {
         match self {
             Self::Param(error) => Some(&error.device),
             Self::NotFinite { device, .. }
-            | Self::Refused { device, .. }
+            | Self::Invalid { device, .. }
             | Self::TooFewPoints { device, .. }
             | Self::EmptyGeometry { device, .. }
             | Self::Duplicate { device, .. }
+            | Self::Removed { device, .. }
+            | Self::ForeignKey { device, .. }
+            | Self::TooLarge { device, .. }
             | Self::Custom { device, .. }
             | Self::Context { device, .. } => Some(device),
             Self::Unknown { owner, .. } => Some(owner),
@@ -183,19 +220,21 @@ impl Error {
     /// The error at the end of the chain of [`Error::Context`].
     #[must_use]
     pub fn root(&self) -> &Self {
-        match self {
-            Self::Context { source, .. } => source.root(),
-            other => other,
+        let mut error = self;
+        while let Self::Context { error: inner, .. } = error {
+            error = inner;
         }
+        error
     }
 
-    /// The whole chain in one line: outermost cell first, the rule last.
+    /// The whole chain in one line: outermost cell first, the rule last. The same as `to_string`.
     #[must_use]
     pub fn report(&self) -> String {
-        match self {
-            Self::Context { source, .. } => format!("{self}: {}", source.report()),
-            other => other.to_string(),
-        }
+        self.to_string()
+    }
+
+    pub(crate) fn invalid(device: &str, problem: impl Into<Box<str>>) -> Self {
+        Self::Invalid { device: device.into(), problem: problem.into() }
     }
 }
 
@@ -205,8 +244,32 @@ impl From<ParamError> for Error {
     }
 }
 
-fn known_names(known: &[String]) -> String {
-    if known.is_empty() { "there are none".to_owned() } else { format!("known are {}", known.join(", ")) }
+fn plural(count: usize) -> &'static str {
+    if count == 1 { "" } else { "s" }
+}
+
+fn counted(count: Option<u64>, limit: u64) -> String {
+    count.map_or_else(|| format!("more than {limit}"), |count| count.to_string())
+}
+
+/// The names that exist, and the one that was probably meant.
+fn suggestion(name: &str, known: &[String]) -> String {
+    if known.is_empty() {
+        return "there are none".to_owned();
+    }
+    let all = known.join(", ");
+    match similar(name, known) {
+        Some(meant) => format!("known are {all}; did you mean \"{meant}\"?"),
+        None => format!("known are {all}"),
+    }
+}
+
+/// The known name that differs least, if at most a third of its letters differ.
+fn similar<'a>(name: &str, known: &'a [String]) -> Option<&'a str> {
+    let name = name.to_lowercase();
+    let distance = |other: &str| strsim::damerau_levenshtein(&name, &other.to_lowercase());
+    let (distance, meant) = known.iter().map(|other| (distance(other), other.as_str())).min_by_key(|(d, _)| *d)?;
+    (distance <= meant.chars().count() / 3).then_some(meant)
 }
 
 #[cfg(test)]
@@ -214,7 +277,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_wrapped_error_tells_the_way_from_the_outside_to_the_rule() {
+    fn a_wrapped_error_prints_its_chain_from_the_outermost_cell_to_the_rule() {
         let rule = ParamError {
             device: "ring".into(),
             param: "width".into(),
@@ -222,12 +285,13 @@ mod tests {
             rule: "be greater than 0 µm".into(),
         };
         let error = Error::from(rule).within("ring_filter").within("chip");
-        assert_eq!(error.report(), "in chip: in ring_filter: ring: width is -1 µm, but it must be greater than 0 µm");
+        let sentence = "in chip: in ring_filter: ring: width is -1 µm, but it must be greater than 0 µm";
+        assert_eq!((error.to_string(), format!("{error:?}")), (sentence.to_owned(), sentence.to_owned()));
         assert!(matches!(error.root(), Error::Param(p) if p.param == "width"));
     }
 
     #[test]
-    fn errors_stay_small_enough_to_be_returned_by_every_word() {
+    fn errors_stay_small_enough_to_be_returned_by_every_method() {
         assert!(size_of::<Error>() <= 80, "{}", size_of::<Error>());
     }
 }

@@ -1,4 +1,4 @@
-//! The scene graph of phidl: cells, placements, ports and layers of a mask, and the words that move them.
+//! The scene graph of phidl: cells, placements, ports and layers of a mask, and the methods that place them.
 //!
 //! ```
 //! use phidl_core::prelude::*;
@@ -6,7 +6,7 @@
 //! let mut d = Device::builder("pad");                       // an open cell
 //! d.add_polygon([(0, 0), (40, 0), (40, 20), (0, 20)], 1)?;
 //! d.add_port("e", ((40, 10), 20, 0))?;
-//! let pad = d.build()?;                                     // a finished one: nobody changes it again
+//! let pad = d.build()?;                                     // a finished one: it never changes
 //!
 //! let mut row = Device::builder("row");
 //! let first = row.add(&pad);
@@ -20,9 +20,9 @@
 //! | concept | what it is | module |
 //! |---|---|---|
 //! | [`Device`](scene::Device), [`DeviceBuilder`](scene::DeviceBuilder) | the finished cell; the open one | [`scene`] |
-//! | [`Reference`](scene::Reference), [`Group`](scene::Group) | one placement or array of a cell; several things as one | [`scene`] |
-//! | [`Movable`](place::Movable), [`Align`](place::Align) | the words for everything that has a place | [`place`] |
-//! | [`Port`](port::Port) | where things are joined | [`port`] |
+//! | [`Reference`](scene::Reference), [`Group`](scene::Group) | one placement or array of a cell; several elements handled as one | [`scene`] |
+//! | [`Movable`](place::Movable), [`Align`](place::Align) | the placement methods of every element | [`place`] |
+//! | [`Port`](port::Port) | an opening at which cells are joined | [`port`] |
 //! | [`Layer`](layer::Layer), [`Layers`](layer::Layers), [`LayerSet`](layer::LayerSet) | one; one, several or none; named and colored | [`layer`] |
 //! | [`Point`](geom::Point), [`Transform`](geom::Transform), [`Rect`](geom::Rect) | coordinates, GDSII's placements, boxes | [`geom`] |
 //! | [`Grid`](num::grid::Grid), angles, point counts | the one rounding rule; exact quarter turns | [`num`] |
@@ -32,12 +32,12 @@
 //!
 //! # Conventions
 //! Lengths are micrometers in `f64`, angles are degrees counter-clockwise, y is up. Multiples of 90° are exact. A
-//! placement mirrors at the x axis, magnifies, rotates and shifts, in this order, as GDSII does. Nothing here rounds to
-//! a grid; that happens on entry into the boolean engine and when a file is written.
+//! placement mirrors across the x axis, magnifies, rotates and shifts, in this order, as GDSII does. Nothing here rounds
+//! to a grid; that happens on entry into the boolean engine and when a file is written.
 //!
 //! # Features
 //! `parallel`: [`Device::flattened`](scene::Device::flattened) expands large hierarchies on all cores (with rayon), and
-//! generators may be called from parallel loops of rayon. Whoever uses rayon around or inside generators turns it on.
+//! generators may be called from parallel loops of rayon. Turn it on to use rayon around or inside generators.
 //!
 //! This crate knows no file format, no boolean engine and no clock, and it never prints.
 

@@ -1,4 +1,4 @@
-//! [`Port`]: where things are joined.
+//! [`Port`]: an opening at which two cells are joined.
 
 use std::collections::BTreeMap;
 
@@ -27,13 +27,13 @@ pub struct Port {
     width: f64,
     orientation: f64,
     info: BTreeMap<String, Value>,
-    fault: Option<Box<DeferredError>>,
+    deferred: Option<Box<DeferredError>>,
 }
 
 impl Port {
     /// A port without a name; width in µm, orientation in degrees (kept in `[0, 360)`).
     ///
-    /// A width that is negative, or a number that is not finite, is refused where the port is added to a cell.
+    /// A negative width, or a number that is not finite, is refused when the port is added to a cell.
     pub fn new(midpoint: impl Into<Point>, width: impl Into<f64>, orientation: impl Into<f64>) -> Self {
         Self {
             name: SmolStr::default(),
@@ -41,7 +41,7 @@ impl Port {
             width: width.into(),
             orientation: angle::normalized(orientation.into()),
             info: BTreeMap::new(),
-            fault: None,
+            deferred: None,
         }
     }
 
@@ -65,7 +65,7 @@ impl Port {
         Self { width: width.into(), ..self }
     }
 
-    /// The same port with a note of any kind.
+    /// The same port with one more value in its info.
     #[must_use]
     pub fn with_info(mut self, key: impl Into<String>, value: impl Into<Value>) -> Self {
         self.info.insert(key.into(), value.into());
@@ -83,7 +83,7 @@ impl Port {
         &self.name
     }
 
-    /// The middle of the opening.
+    /// The center of the opening.
     #[must_use]
     pub fn midpoint(&self) -> Point {
         self.midpoint
@@ -101,7 +101,7 @@ impl Port {
         self.orientation
     }
 
-    /// Notes of any kind.
+    /// Values of any kind.
     #[must_use]
     pub fn info(&self) -> &BTreeMap<String, Value> {
         &self.info
@@ -120,7 +120,7 @@ impl Port {
         (self.midpoint - half, self.midpoint + half)
     }
 
-    /// The port that looks back at this one from the same place.
+    /// The port that faces this one at the same midpoint.
     #[must_use]
     pub fn flipped(&self) -> Self {
         let mut flipped = self.clone();
@@ -128,16 +128,16 @@ impl Port {
         flipped
     }
 
-    /// The placement word that was refused, if one was.
-    pub(crate) fn refused_word(&self) -> Option<&'static str> {
-        self.fault.as_ref().map(|fault| fault.word)
+    /// The placement method of the deferred error, if there is one.
+    pub(crate) fn invalid_method(&self) -> Option<&'static str> {
+        self.deferred.as_ref().map(|error| error.method)
     }
 
-    /// Refuses what cannot be an opening, in the name of a cell.
+    /// Refuses an invalid port in the name of a cell.
     pub(crate) fn check(&self, device: &str) -> Result<()> {
-        let what = |what: &str| format!("{what} of port \"{}\"", self.name).into();
-        if let Some(fault) = &self.fault {
-            return Err(fault.into_error(device, &format!("port \"{}\"", self.name)));
+        let what = |what: &str| format!("the {what} of the port \"{}\"", self.name).into();
+        if let Some(error) = &self.deferred {
+            return Err(error.into_error(device, &format!("the port \"{}\"", self.name)));
         }
         let not_finite = |name: &str, value: String| {
             Err(Error::NotFinite { device: device.into(), what: what(name), value: value.into() })
@@ -155,12 +155,9 @@ impl Port {
             return not_finite(&format!("info \"{key}\""), value.to_string());
         }
         if self.width < 0.0 {
-            return Err(Error::Refused {
-                device: device.into(),
-                what: what("width"),
-                value: format!("{} µm", self.width).into(),
-                rule: "be at least 0 µm".into(),
-            });
+            let problem =
+                format!("the width of the port \"{}\" is {} µm, but it must be at least 0 µm", self.name, self.width);
+            return Err(Error::invalid(device, problem));
         }
         Ok(())
     }
@@ -194,8 +191,8 @@ impl Transformable for Port {
         self.width *= by.magnification;
     }
 
-    fn refuse(&mut self, fault: DeferredError) {
-        self.fault.get_or_insert(Box::new(fault));
+    fn defer(&mut self, error: DeferredError) {
+        self.deferred.get_or_insert(Box::new(error));
     }
 }
 
@@ -258,12 +255,12 @@ mod tests {
     }
 
     #[test]
-    fn openings_that_cannot_be_are_refused_by_name() {
+    fn invalid_ports_are_refused_by_name() {
         let error = Port::new((0, 0), -1, 0).named("e").check("ring").unwrap_err();
-        assert_eq!(error.to_string(), "ring: width of port \"e\" is -1 µm, but it must be at least 0 µm");
+        assert_eq!(error.to_string(), "ring: the width of the port \"e\" is -1 µm, but it must be at least 0 µm");
         assert!(Port::new((0.0, f64::NAN), 1, 0).check("ring").is_err());
         assert!(Port::new((0, 0), 1, f64::INFINITY).check("ring").is_err());
         let noted = Port::new((0, 0), 1, 0).named("e").with_info("loss", f64::NAN).check("ring").unwrap_err();
-        assert_eq!(noted.to_string(), "ring: info \"loss\" of port \"e\" is NaN, but it must be finite");
+        assert_eq!(noted.to_string(), "ring: the info \"loss\" of the port \"e\" is NaN, but it must be finite");
     }
 }

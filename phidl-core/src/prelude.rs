@@ -1,4 +1,4 @@
-//! The words that a layout program needs: `use phidl_core::prelude::*;`.
+//! The names that a layout program needs: `use phidl_core::prelude::*;`.
 
 pub use crate::error::{Error, Result};
 pub use crate::geom::{Outline, Point, Rect, Size, Transform};

@@ -42,7 +42,7 @@ pub(crate) fn main() -> std::result::Result<(), Box<dyn std::error::Error>> {
     let a = top.add(&d);
     let b = top.add(d.place().mirrored((0, 0), (0, 1)));
     top.group([a, b]).distribute(Direction::X, 10).align(Edge::YMin);
-    top.add_label("quick start", (0, 0), 10);
+    top.add_label("quick start", (0, 0), 10)?;
     let top = top.build()?;
     println!("{top}\n{} µm wide, {} polygons", top.xsize(), top.flat_polygons().count());
     let file = std::env::temp_dir().join("quick_start.gds");

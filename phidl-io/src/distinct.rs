@@ -28,7 +28,7 @@ impl DistinctCells {
                 candidates.push(cells.len());
                 cells.len()
             });
-            places.insert(cell.address(), place);
+            places.insert(cell.ptr_id(), place);
             if place == cells.len() {
                 cells.push(cell);
             }
@@ -43,7 +43,7 @@ impl DistinctCells {
 
     /// The place among the cells of a device of the hierarchy.
     pub(crate) fn place_of(&self, device: &Device) -> usize {
-        *self.places.get(&device.address()).expect("invariant: a reference leads to a cell of the hierarchy")
+        *self.places.get(&device.ptr_id()).expect("invariant: a reference leads to a cell of the hierarchy")
     }
 }
 

@@ -95,12 +95,12 @@ impl Below {
         for cell in top.cells().iter().rev() {
             let mut sum = Self::own(cell);
             for reference in cell.references() {
-                let child = &sums[&reference.device().address()];
+                let child = &sums[&reference.device().ptr_id()];
                 sum.add(child, reference.count() as u64, reference.transform().magnification);
             }
-            sums.insert(cell.address(), sum);
+            sums.insert(cell.ptr_id(), sum);
         }
-        sums.remove(&top.address()).unwrap_or_default()
+        sums.remove(&top.ptr_id()).unwrap_or_default()
     }
 
     fn own(cell: &Device) -> Self {
@@ -188,7 +188,7 @@ mod tests {
     fn mask() -> Device {
         let mut d = Device::builder("dot");
         d.add_polygon([(0, 0), (2, 0), (2, 2), (0, 2)], 1).unwrap();
-        d.add_label("dot", (0, 0), (10, 2));
+        d.add_label("dot", (0, 0), (10, 2)).unwrap();
         let dot = d.build().unwrap();
         let mut d = Device::builder("field");
         d.add(dot.array(100, 10, (5, 5)));

@@ -339,7 +339,7 @@ impl Transformable for Path {
         self.end_angle = direction::within_turn(twice - self.end_angle);
     }
 
-    fn refuse(&mut self, deferred: DeferredError) {
+    fn defer(&mut self, deferred: DeferredError) {
         self.defer(deferred.into_error("path", "the path"));
     }
 }

@@ -52,9 +52,9 @@ impl Frame {
     }
 
     /// The openings at the ports, on a grid of `step` µm.
-    pub(super) fn openings(&self, operand: &Operand, step: f64) -> Vec<[(f64, f64); 4]> {
-        let OpenPorts::WithMargin(margin) = self.open_ports else { return Vec::new() };
-        operand.ports().iter().map(|port| self.opening(port, margin, step)).collect()
+    pub(super) fn openings(&self, operand: &Operand, step: f64) -> Result<Vec<[(f64, f64); 4]>, BooleanError> {
+        let OpenPorts::WithMargin(margin) = self.open_ports else { return Ok(Vec::new()) };
+        Ok(operand.ports()?.iter().map(|port| self.opening(port, margin, step)).collect())
     }
 
     /// The rectangle over a port, from two grid steps inside to four beyond the frame.

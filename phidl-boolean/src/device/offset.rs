@@ -92,7 +92,7 @@ pub(super) fn framed(
 ) -> Result<Device, BooleanError> {
     let shapes = Operand::new("shapes", shapes)?;
     let ports = frame.inherited_ports(&shapes);
-    let openings = Operand::new("openings", &frame.openings(&shapes, options.precision))?;
+    let openings = Operand::new("openings", &frame.openings(&shapes, options.precision)?)?;
     let mut cell = Device::builder("outline");
     draw(&mut cell, DeviceOperation::Frame(frame), &[shapes, openings], layers, options)?;
     cell.add_ports(ports)?;

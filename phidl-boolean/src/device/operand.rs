@@ -59,8 +59,8 @@ impl Operand {
     }
 
     /// The ports of the given devices and references, without those of the cells below them.
-    pub(super) fn ports(&self) -> Vec<Port> {
-        self.cell.ports_recursive(Some(1))
+    pub(super) fn ports(&self) -> Result<Vec<Port>, BooleanError> {
+        Ok(self.cell.ports_recursive(Some(1))?)
     }
 
     /// The ports of the operand if it is a single device or reference.

@@ -1,8 +1,8 @@
-//! [`Outline`]: the spellings that are taken for the points of a polygon.
+//! [`Outline`]: the types that are accepted as the points of a polygon.
 
 use super::{Point, Rect};
 
-/// What is taken for the points of an outline, in order: pairs, or two coordinate lists.
+/// A type that is accepted as the points of an outline, in order: pairs, or two coordinate lists.
 ///
 /// ```
 /// # use phidl_core::geom::Outline;
@@ -11,9 +11,9 @@ use super::{Point, Rect};
 /// assert_eq!(pairs, rows);
 /// ```
 ///
-/// Rows of different lengths keep what is missing as NaN, so that whoever takes the outline refuses it.
+/// Rows of different lengths are filled up with NaN, which every cell refuses.
 pub trait Outline: Sized {
-    /// Appends the points to a buffer. (Cells hold all their outlines in one; nothing is allocated on the way there.)
+    /// Appends the points to a buffer. A cell holds all its outlines in one, so nothing else is allocated.
     fn append_to(self, buffer: &mut Vec<Point>);
 
     /// The points on their own.
@@ -25,7 +25,7 @@ pub trait Outline: Sized {
 }
 
 impl<P: Into<Point>> Outline for Vec<P> {
-    /// A list of points becomes the buffer if that has no room yet: the first outline of a cell is not copied.
+    /// The list itself becomes an empty buffer, so the first outline of a cell is not copied.
     fn append_to(self, buffer: &mut Vec<Point>) {
         let points = self.into_iter().map(Into::into);
         if buffer.capacity() == 0 {
@@ -98,7 +98,7 @@ fn append_rows(xs: impl IntoIterator<Item = f64>, ys: impl IntoIterator<Item = f
 #[must_use]
 pub fn signed_area(outline: &[Point]) -> f64 {
     let Some(&first) = outline.first() else { return 0.0 };
-    // Measured from the first point: far from the origin the products would eat up the digits.
+    // Relative to the first point: far from the origin the products would lose digits.
     let twice: f64 = outline.windows(2).map(|edge| (edge[0] - first).cross(edge[1] - first)).sum();
     twice / 2.0
 }
@@ -108,13 +108,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn rows_of_different_lengths_cannot_pass_for_points() {
+    fn rows_of_different_lengths_are_not_finite() {
         let outline = ([1, 2, 3], [1, 2]).into_points();
         assert!(!outline[2].is_finite());
     }
 
     #[test]
-    fn area_is_signed_and_survives_a_far_place() {
+    fn area_is_signed_and_exact_far_from_the_origin() {
         let square = [(0, 0), (1, 0), (1, 1), (0, 1)].map(Point::from);
         assert_eq!(signed_area(&square), 1.0);
         let far: Vec<Point> = square.iter().rev().map(|p| *p + Point::new(1e6, 1e6)).collect();

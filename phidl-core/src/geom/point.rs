@@ -1,12 +1,12 @@
-//! [`Point`] and [`Size`], and the spellings that are taken for them.
+//! [`Point`] and [`Size`], and the types that convert into them.
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 use crate::num::angle;
 
-/// A place or a displacement in the plane, in micrometers; x to the right, y up.
+/// A position or a displacement in the plane, in micrometers; x to the right, y up.
 ///
-/// Whatever takes a point takes `impl Into<Point>`: a pair of numbers (`(1, 2.5)`, `[1.0, 2.5]`), a [`Point`],
+/// Functions take points as `impl Into<Point>`: a pair of numbers (`(1, 2.5)`, `[1.0, 2.5]`), a [`Point`],
 /// a [`Port`](crate::port::Port) (its midpoint) or a `geo_types::Coord`.
 ///
 /// ```
@@ -21,7 +21,7 @@ pub struct Point {
     pub y: f64,
 }
 
-/// Squares of lengths between which none of their digits are lost.
+/// The squares of lengths that keep all their digits.
 const SQUARES: std::ops::RangeInclusive<f64> = 1e-290..=1e300;
 
 impl Point {
@@ -42,9 +42,9 @@ impl Point {
         Self { x: radius * cos, y: radius * sin }
     }
 
-    /// Whether all coordinates of many points are finite numbers: eight points at a time, without a decision at each.
+    /// Whether all coordinates of many points are finite numbers: eight points at a time, without a branch for each.
     pub(crate) fn all_finite(points: &[Self]) -> bool {
-        // Zero times what is not finite is no number, and stays none in a sum.
+        // Zero times a number that is not finite is NaN, and NaN stays NaN in a sum.
         let sum = |points: &[Self]| points.iter().fold(Self::ORIGIN, |sum, p| sum + *p * 0.0);
         points.chunks(8).all(|points| sum(points).is_finite())
     }
@@ -54,7 +54,7 @@ impl Point {
     #[inline]
     pub fn norm(self) -> f64 {
         let square = self.x * self.x + self.y * self.y;
-        // `hypot` costs five times as much, and is only needed where a square leaves the range of numbers.
+        // `hypot` costs five times as much. It is needed only if the square leaves the range of an `f64`.
         if SQUARES.contains(&square) { square.sqrt() } else { self.x.hypot(self.y) }
     }
 

@@ -2,7 +2,7 @@
 
 use super::{Point, Size};
 
-/// An axis-parallel box from `min` to `max`, in micrometers. An empty thing has none: boxes are passed as `Option<Rect>`.
+/// An axis-parallel box from `min` to `max`, in micrometers. An empty element has none: functions pass `Option<Rect>`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rect {
     /// Lower left corner.
@@ -12,7 +12,7 @@ pub struct Rect {
 }
 
 impl Rect {
-    /// The box that two opposite corners span, in whatever order they come.
+    /// The box of two opposite corners, in any order.
     #[must_use]
     pub fn new(a: impl Into<Point>, b: impl Into<Point>) -> Self {
         let (a, b) = (a.into(), b.into());
@@ -26,7 +26,7 @@ impl Rect {
         let first = points.next()?;
         let mut rect = Self { min: first, max: first };
         for p in points {
-            // Comparisons instead of `min` and `max`: they compile to vector code, and NaN was refused on the way in.
+            // Comparisons instead of `min` and `max`: they compile to vector code, and NaN was refused before.
             rect.min.x = if p.x < rect.min.x { p.x } else { rect.min.x };
             rect.min.y = if p.y < rect.min.y { p.y } else { rect.min.y };
             rect.max.x = if p.x > rect.max.x { p.x } else { rect.max.x };
@@ -44,13 +44,13 @@ impl Rect {
         }
     }
 
-    /// The box around all that are there.
+    /// The box around all boxes that are not `None`.
     #[must_use]
     pub fn union_all(rects: impl IntoIterator<Item = Option<Self>>) -> Option<Self> {
         rects.into_iter().flatten().reduce(Self::union)
     }
 
-    /// The middle.
+    /// The center.
     #[must_use]
     pub fn center(&self) -> Point {
         (self.min + self.max) / 2.0

@@ -1,13 +1,13 @@
-//! [`Transform`]: how GDSII places a cell, and [`Matrix`]: the same, ready to be applied to many points.
+//! [`Transform`]: the placement of a cell in GDSII, and [`Matrix`]: the same in the form that applies fastest.
 //!
-//! A transform is kept as its parts (mirror, magnification, angle in degrees, shift), not as a matrix: composing adds
+//! A transform is stored as its parts (mirror, magnification, angle in degrees, shift), not as a matrix: composing adds
 //! angles in degrees, so a quarter turn after a quarter turn is exactly a half turn at any depth of a hierarchy.
-//! A matrix would have to be asked for its angle again, with noise in the last digits.
+//! The angle of a matrix would have to be recovered, with noise in the last digits.
 
 use super::{Point, Rect};
 use crate::num::angle;
 
-/// Mirror at the x axis, then magnify, then rotate, then shift: the order of GDSII.
+/// Mirror across the x axis, then magnify, then rotate, then shift: the order of GDSII.
 ///
 /// ```
 /// # use phidl_core::geom::{Point, Transform};
@@ -28,7 +28,7 @@ pub struct Transform {
 }
 
 impl Transform {
-    /// What changes nothing.
+    /// The identity.
     pub const IDENTITY: Self = Self { x_reflection: false, magnification: 1.0, rotation: 0.0, origin: Point::ORIGIN };
 
     /// A shift (µm).
@@ -57,7 +57,7 @@ impl Transform {
         Self { magnification: factor, ..Self::IDENTITY }
     }
 
-    /// A reflection at the line through two points. Equal points give a transform that is not finite.
+    /// A reflection across the line through two points. Equal points give a transform that is not finite.
     #[must_use]
     pub fn reflection(p1: impl Into<Point>, p2: impl Into<Point>) -> Self {
         let (p1, p2) = (p1.into(), p2.into());

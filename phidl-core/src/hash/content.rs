@@ -1,8 +1,7 @@
-//! Who a cell is: digests of its content and of its drawing.
+//! The identity of a cell: digests of its content and of its drawing.
 //!
-//! BLAKE3 over a canonical byte stream: every number as its bits (both zeros alike), every list and text with its
-//! length before it, every kind of thing with a tag. A child cell counts as its own digest, so a hierarchy is hashed
-//! once per distinct cell.
+//! BLAKE3 over a canonical byte stream: every number as its bits (both zeros alike), every list and text after its length,
+//! every variant after a tag. A placed cell enters as its digest, so each distinct cell is hashed once.
 
 use crate::geom::{Point, Transform};
 use crate::param::{Value, float_key};
@@ -33,7 +32,7 @@ impl std::fmt::Debug for Digest {
     }
 }
 
-/// Digest of everything a cell holds.
+/// The digest of everything in a cell.
 pub(crate) fn content(cell: &Cell) -> Digest {
     let mut stream = Stream::new(Device::content_hash);
     stream.text(&cell.name);
@@ -42,14 +41,14 @@ pub(crate) fn content(cell: &Cell) -> Digest {
     stream.count(cell.aliases.len());
     for alias in cell.aliases.iter() {
         stream.text(&alias.name);
-        stream.count(alias.place);
+        stream.count(alias.index);
     }
     stream.map(cell.info.iter().map(|(key, value)| (key.as_str(), value)));
     stream.list(cell.source.iter(), Stream::source);
     stream.finish()
 }
 
-/// Digest of what a file would hold of a cell, its name aside.
+/// The digest of everything that a file stores of a cell, except its name.
 pub(crate) fn drawing(cell: &Cell) -> Digest {
     let mut stream = Stream::new(Device::drawing_hash);
     stream.drawing(cell);
@@ -58,7 +57,7 @@ pub(crate) fn drawing(cell: &Cell) -> Digest {
 
 struct Stream {
     hasher: blake3::Hasher,
-    /// How a cell that is referred to counts.
+    /// The digest of a placed cell.
     child: fn(&Device) -> Digest,
 }
 
@@ -72,8 +71,8 @@ impl Stream {
     }
 
     fn drawing(&mut self, cell: &Cell) {
-        self.count(cell.outlines.len());
-        for polygon in cell.outlines.iter() {
+        self.count(cell.polygons.len());
+        for polygon in cell.polygons.iter() {
             self.layer(polygon.layer.number, polygon.layer.datatype);
             self.points(polygon.points);
             self.properties_of(polygon.properties());
@@ -147,7 +146,7 @@ impl Stream {
             }
             Value::Device(device) => {
                 self.tag(8);
-                // A device that is a parameter always counts with all it has.
+                // A device that is a parameter always enters with its whole content.
                 self.hasher.update(device.content_hash().bytes());
             }
         }
@@ -162,7 +161,7 @@ impl Stream {
     }
 
     fn list<T>(&mut self, items: impl IntoIterator<Item = T>, write: impl Fn(&mut Self, T)) {
-        // A list that is followed by others needs an end that no item can be taken for.
+        // The end of a list needs a mark that no item can have.
         for item in items {
             self.tag(1);
             write(self, item);
@@ -274,7 +273,7 @@ mod tests {
     }
 
     #[test]
-    fn everything_that_is_drawn_counts() {
+    fn every_element_is_part_of_the_drawing() {
         let plain = cell(|_| {});
         let others = [
             cell(|d| {

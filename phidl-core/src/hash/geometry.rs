@@ -1,4 +1,4 @@
-//! The order-sensitive geometry hash that `spec/core.md` §14 defines, to the byte.
+//! PHIDL's order-sensitive geometry hash (`Device.hash_geometry`), to the byte.
 
 use std::collections::BTreeMap;
 
@@ -7,21 +7,19 @@ use sha1::{Digest as _, Sha1};
 use crate::error::{Error, Result};
 use crate::geom::Point;
 use crate::layer::Layer;
-use crate::scene::Device;
+use crate::scene::{Device, FLAT_LIMIT};
 
-/// Moves the boundaries between two bins away from round numbers.
+/// Shifts the boundaries between bins away from round numbers.
 const OFFSET: f64 = 0.170_486_14;
 
 /// SHA-1 over all polygons of the hierarchy; see [`Device::hash_geometry`].
 pub(crate) fn geometry(device: &Device, precision: f64) -> Result<String> {
     if !(precision > 0.0 && precision.is_finite()) {
-        return Err(Error::Refused {
-            device: device.name().into(),
-            what: "precision of hash_geometry".into(),
-            value: format!("{precision} µm").into(),
-            rule: "be greater than 0 µm and finite".into(),
-        });
+        let problem =
+            format!("the precision of hash_geometry is {precision} µm, but it must be finite and greater than 0 µm");
+        return Err(Error::invalid(device.name(), problem));
     }
+    device.check_flat_size(FLAT_LIMIT)?;
     let mut whole = Sha1::new();
     for ((datatype, number), mut digests) in polygon_digests(device, precision) {
         whole.update(layer_digest(Layer::new(number, datatype)));
@@ -48,7 +46,7 @@ fn polygon_digest(points: impl Iterator<Item = Point>, precision: f64) -> [u8; 2
     let mut hash = Sha1::new();
     for p in points {
         for v in [p.x, p.y] {
-            // Division, and truncation toward zero, as the definition has it.
+            // Division, and truncation toward zero, as defined.
             #[expect(clippy::cast_possible_truncation, reason = "`as` truncates toward zero, which is what is defined")]
             let bin = (v / precision + OFFSET) as i64;
             hash.update(bin.to_le_bytes());
@@ -64,7 +62,7 @@ fn layer_digest(layer: Layer) -> [u8; 20] {
     hash.finalize().into()
 }
 
-/// The definition sorts digests in an array of byte strings, which drops the zeros at their ends.
+/// PHIDL sorts digests in a NumPy array of byte strings, which drops trailing zeros.
 fn without_trailing_zeros(digest: &[u8]) -> &[u8] {
     let end = digest.iter().rposition(|byte| *byte != 0).map_or(0, |last| last + 1);
     &digest[..end]
@@ -75,7 +73,7 @@ mod tests {
     use super::*;
     use crate::layer::Layers;
 
-    /// Outlines with their layers.
+    /// PolygonStore with their layers.
     type Drawing<'a> = &'a [(&'a [(f64, f64)], Layers)];
 
     fn hash(polygons: Drawing<'_>, precision: f64) -> String {
@@ -86,9 +84,9 @@ mod tests {
         d.build().unwrap().hash_geometry(precision).unwrap()
     }
 
-    /// Vectors of `spec/core.md` §14, produced by the reference library.
+    /// Hashes that PHIDL 1.7.2 gives.
     #[test]
-    fn hashes_are_those_of_the_specification() {
+    fn hashes_are_those_of_the_reference() {
         let t: &[_] = &[(0., 0.), (1., 0.), (0., 1.)];
         let cases: &[(Drawing<'_>, &str)] = &[
             (&[(t, 0.into())], "a375d27406612477e92bf49e59db9d2a364cbe7b"),

@@ -1,4 +1,4 @@
-//! Hashes: who a cell is ([`Digest`]), and the reference library's geometry hash.
+//! Hashes: the identity of a cell ([`Digest`]), and PHIDL's geometry hash.
 
 mod content;
 mod geometry;

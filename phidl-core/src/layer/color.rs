@@ -1,4 +1,4 @@
-//! [`Color`]: what pictures fill a layer with.
+//! [`Color`]: the fill of a layer in pictures.
 
 use std::str::FromStr;
 
@@ -26,7 +26,7 @@ impl Color {
     /// A color from three channels between 0 and 1, rounded to eight bits (halves to even).
     ///
     /// # Errors
-    /// [`Error::Refused`] if a channel is outside 0 to 1.
+    /// [`Error::Invalid`] if a channel is outside 0 to 1.
     pub fn from_fractions(red: f64, green: f64, blue: f64) -> Result<Self> {
         let channel = |v: f64| {
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 255 by the check")]
@@ -35,7 +35,7 @@ impl Color {
         };
         match (channel(red), channel(green), channel(blue)) {
             (Some(red), Some(green), Some(blue)) => Ok(Self { red, green, blue }),
-            _ => Err(refused(&format!("({red}, {green}, {blue})"), "have channels from 0 to 1")),
+            _ => Err(invalid(&format!("({red}, {green}, {blue})"), "have channels from 0 to 1")),
         }
     }
 }
@@ -43,15 +43,15 @@ impl Color {
 impl FromStr for Color {
     type Err = Error;
 
-    /// Reads `#rrggbb` or a CSS color name, in capitals or not.
+    /// Reads `#rrggbb` or a CSS color name, in any case of letters.
     fn from_str(text: &str) -> Result<Self> {
         let rule = "be #rrggbb or a CSS color name";
         let is_hex = text.len() == 7 && text.starts_with('#');
         let is_name = text.chars().all(|c| c.is_ascii_alphabetic()) && !text.eq_ignore_ascii_case("transparent");
         if !(is_hex || is_name) {
-            return Err(refused(text, rule));
+            return Err(invalid(text, rule));
         }
-        let [red, green, blue, _] = csscolorparser::parse(text).map_err(|_| refused(text, rule))?.to_rgba8();
+        let [red, green, blue, _] = csscolorparser::parse(text).map_err(|_| invalid(text, rule))?.to_rgba8();
         Ok(Self { red, green, blue })
     }
 }
@@ -62,8 +62,8 @@ impl std::fmt::Display for Color {
     }
 }
 
-fn refused(value: &str, rule: &str) -> Error {
-    Error::Refused { device: "layer".into(), what: "color".into(), value: value.into(), rule: rule.into() }
+fn invalid(value: &str, rule: &str) -> Error {
+    Error::invalid("layer", format!("the color is {value}, but it must {rule}"))
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! [`Layer`]: the pair of numbers by which a file tells layers apart.
+//! [`Layer`]: the pair of numbers that identifies a layer in a file.
 
 /// A layer number with its datatype. `7` is short for `(7, 0)`.
 ///

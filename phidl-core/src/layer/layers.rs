@@ -1,4 +1,4 @@
-//! [`Layers`]: where something is drawn.
+//! [`Layers`]: the layers that an element is drawn on.
 
 use std::sync::Arc;
 
@@ -20,7 +20,7 @@ pub struct Layers(Inner);
 
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
 enum Inner {
-    /// Most shapes by far: kept without an allocation.
+    /// By far the most common case, without an allocation.
     One(Layer),
     /// None, or at least two different ones.
     Several(Arc<[Layer]>),
@@ -75,7 +75,7 @@ impl Layers {
 }
 
 impl Default for Layers {
-    /// Layer 0, where every shape draws that is not told otherwise.
+    /// Layer 0, the default of every shape.
     fn default() -> Self {
         Self::one(Layer::default())
     }
@@ -190,7 +190,7 @@ mod tests {
     }
 
     #[test]
-    fn several_layers_are_no_single_one() {
+    fn several_layers_have_no_single_layer() {
         assert_eq!(Layers::from(4).single(), Some(Layer::new(4, 0)));
         assert_eq!(Layers::from([4, 5]).single(), None);
         assert!(Layers::from([4, 5]).contains(5) && !Layers::from([4, 5]).contains((5, 1)));

@@ -1,21 +1,21 @@
-//! [`LayerSet`]: the layers of a process, by name and with their looks.
+//! [`LayerSet`]: the layers of a process, by name, with their colors and patterns.
 //!
-//! A set is a plain value that is handed to whoever draws pictures. PHIDL keeps a global table instead, in which a
-//! layer that was refused, or a copy without a color, replaces the layer that was meant.
+//! A set is an ordinary value, passed to the functions that draw pictures. PHIDL keeps a global table instead, in which a
+//! refused layer, or a copy without a color, replaces the intended one.
 
 use indexmap::IndexMap;
 
 use super::{Color, Layer};
 use crate::error::{Error, ItemKind, Result};
 
-/// A layer with its name and its looks.
+/// A layer with its name and its appearance.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NamedLayer {
     /// The name, unique in its set.
     pub name: String,
     /// The numbers in the file.
     pub layer: Layer,
-    /// What it is for.
+    /// Its purpose.
     pub description: String,
     /// Fill color in pictures; without one, pictures choose.
     pub color: Option<Color>,
@@ -80,7 +80,7 @@ impl LayerSet {
     /// Adds a layer at the end.
     ///
     /// # Errors
-    /// [`Error::Duplicate`] if the name is taken, [`Error::Refused`] if the opacity is not between 0 and 1.
+    /// [`Error::Duplicate`] if the name is taken, [`Error::Invalid`] if the opacity is not between 0 and 1.
     pub fn add(&mut self, layer: NamedLayer) -> Result<&mut Self> {
         if self.layers.contains_key(&layer.name) {
             return Err(Error::Duplicate {
@@ -90,12 +90,9 @@ impl LayerSet {
             });
         }
         if !(0.0..=1.0).contains(&layer.alpha) {
-            return Err(Error::Refused {
-                device: layer.name.into(),
-                what: "alpha".into(),
-                value: layer.alpha.to_string().into(),
-                rule: "be from 0 to 1".into(),
-            });
+            let problem =
+                format!("the alpha of the layer \"{}\" is {}, but it must be from 0 to 1", layer.name, layer.alpha);
+            return Err(Error::invalid("layer set", problem));
         }
         self.layers.insert(layer.name.clone(), layer);
         Ok(self)

@@ -1,7 +1,6 @@
-//! How many points a curve gets, with the rounding rules that the specification names.
+//! Numbers of points on curves, with PHIDL's rounding rules.
 //!
-//! Every count is limited to [`MOST`], so that a tiny angle or tolerance asks for an error further
-//! on instead of for all the memory there is.
+//! Every count is limited to [`MOST`], so that a tiny angle or tolerance leads to an error instead of exhausting memory.
 
 /// The largest count that these functions return.
 pub const MOST: usize = 1 << 24;
@@ -72,7 +71,7 @@ mod tests {
     }
 
     #[test]
-    fn senseless_amounts_are_limited() {
+    fn invalid_amounts_are_limited() {
         assert_eq!(up(f64::INFINITY), MOST);
         assert_eq!(up(f64::NAN), 0);
         assert_eq!(up(-3.0), 0);

@@ -1,19 +1,19 @@
-//! The rounding rule, in one place: from micrometers to whole steps of a grid.
+//! The only rounding rule: from micrometers to whole steps of a grid.
 //!
-//! Two callers exist by design: the entry into the boolean engine and the writing of a file. A generator never rounds.
-//! Halves go away from zero, so that a mirrored layout rounds to the mirror image; rounding `floor(x + 0.5)` would
-//! keep shifts exact instead, but no mask is made of shifts alone. Before that the noise of floating point is taken
-//! off (below 2⁻²⁰ of a step), so that two ways to the same half step round alike.
+//! It is used on entry into the boolean engine and when a file is written. A generator never rounds. Halves round away
+//! from zero, so that a mirrored layout rounds to the mirror image. (`floor(x + 0.5)` would keep shifts exact instead, but
+//! a mask is more than shifts.) Floating-point noise below 2⁻²⁰ of a step is removed before, so that two computations of
+//! one half step round alike.
 
 use crate::geom::Point;
 
 /// Noise below this part of a step is removed before rounding: 2²⁰ parts.
 const NOISE_PARTS: f64 = 1_048_576.0;
 
-/// Parts below this number (2⁵¹) are rounded without a call.
+/// Parts below this number (2⁵¹) are rounded without a library call.
 const QUICKLY: f64 = 2_251_799_813_685_248.0;
 
-/// Added and taken away again, it leaves a whole number (1.5 · 2⁵²: there, doubles are one apart).
+/// Adding and subtracting it rounds to a whole number (1.5 · 2⁵², where neighboring doubles differ by one).
 const TO_WHOLE: f64 = 6_755_399_441_055_744.0;
 
 /// A square grid of `step` micrometers, with the largest number of steps that fits its integers.
@@ -126,8 +126,8 @@ impl Grid {
     }
 }
 
-/// The whole number that is nearest to a number of steps: noise removed, then halves away from zero. For what is worked
-/// out in steps of a grid already, and in real numbers.
+/// The whole number nearest to a number of steps: noise removed, then halves away from zero. For computations in steps of
+/// a grid and in real numbers.
 #[must_use]
 #[inline]
 pub fn whole(steps: f64) -> f64 {
@@ -146,7 +146,7 @@ pub fn whole(steps: f64) -> f64 {
 /// The number without the noise of floating point.
 fn quiet(steps: f64) -> f64 {
     let parts = steps * NOISE_PARTS;
-    // Beyond 2⁵² parts a double holds no half step any more, and there is no noise to remove.
+    // Beyond 2⁵² parts a double has no half steps, so there is no noise to remove.
     if parts.abs() < 4.5e15 { parts.round() / NOISE_PARTS } else { steps }
 }
 
@@ -165,7 +165,7 @@ mod tests {
     }
 
     #[test]
-    fn two_ways_to_the_same_half_step_round_alike() {
+    fn two_computations_of_one_half_step_round_alike() {
         let grid = Grid::new(1e-3).unwrap();
         let direct = 0.0005;
         let roundabout = 1000.0005 - 1000.0; // 0.00049999998 in doubles
@@ -173,7 +173,7 @@ mod tests {
     }
 
     #[test]
-    fn both_ways_of_rounding_agree() {
+    fn both_implementations_of_rounding_agree() {
         let grid = Grid::new(1.0).unwrap().reaching(1 << 40);
         for whole in [0.0, 1.0, 2.0, 1e6, 2_147_483_646.0] {
             for part in [0.0, 0.25, 0.499_999, 0.5, 0.500_001, 0.75] {
@@ -210,7 +210,7 @@ mod tests {
     }
 
     #[test]
-    fn steps_that_are_no_lengths_are_refused() {
+    fn invalid_grid_steps_are_refused() {
         for step in [0.0, -1e-3, f64::NAN, f64::INFINITY] {
             assert!(Grid::new(step).is_err(), "{step}");
         }

@@ -275,7 +275,7 @@ impl Param for Port {
     }
 
     fn to_value(&self) -> Value {
-        match (self.into(), self.refused_word()) {
+        match (self.into(), self.invalid_method()) {
             (Value::Map(mut map), Some(word)) => {
                 map.insert(REFUSED.to_owned(), word.into());
                 Value::Map(map)

@@ -1,6 +1,6 @@
 //! [`Align`]: lining members up and spacing them out.
 
-use super::{DeferredError, Refusal};
+use super::{DeferredError, Reason};
 use crate::geom::{Point, Rect};
 
 /// An edge or a middle of a bounding box.
@@ -20,7 +20,7 @@ pub enum Edge {
     YMax,
 }
 
-/// A direction in which things are spaced out.
+/// The direction in which members are spaced out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Direction {
     /// To the right.
@@ -30,7 +30,7 @@ pub enum Direction {
 }
 
 impl Edge {
-    /// Where this edge of a box is.
+    /// The coordinate of this edge of a box.
     #[must_use]
     pub fn of(self, rect: Rect) -> f64 {
         match self {
@@ -84,8 +84,8 @@ impl Direction {
 /// assert_eq!(row.size(), Size::new(13.0, 5.0));
 /// ```
 ///
-/// A member that draws nothing has no edge: nothing is moved, and the fault comes back as the error of the next
-/// fallible call.
+/// An empty member has no edge. Nothing is moved then, and the error is deferred to the next fallible call on the group,
+/// or to `build` for a selection.
 pub trait Align {
     /// The box of every member, in order.
     fn member_boxes(&self) -> Vec<Option<Rect>>;
@@ -93,8 +93,8 @@ pub trait Align {
     /// Moves one member.
     fn move_member(&mut self, index: usize, by: Point);
 
-    /// Keeps the first arrangement that was refused.
-    fn refuse_arrangement(&mut self, fault: DeferredError);
+    /// Keeps the first invalid call; see [`Transformable::defer`](super::Transformable::defer).
+    fn defer_align_error(&mut self, error: DeferredError);
 
     /// Moves every member until this edge of it is where this edge of all of them together was.
     fn align(&mut self, edge: Edge) -> &mut Self {
@@ -108,25 +108,29 @@ pub trait Align {
     /// Leaves `spacing` between neighbors, from the first member on, which stays; a negative one overlaps them.
     fn distribute(&mut self, direction: Direction, spacing: impl Into<f64>) -> &mut Self {
         let spacing = spacing.into();
-        let Some(boxes) = boxes(self, "distribute").filter(|_| accept_spacing(self, spacing)) else { return self };
+        let Some(boxes) = boxes(self, "distribute").filter(|_| accept_spacing(self, "distribute", spacing)) else {
+            return self;
+        };
         let edge = direction.lower_edge();
         let mut next = boxes.first().map_or(0.0, |first| edge.of(*first));
-        let places: Vec<f64> = boxes
+        let targets: Vec<f64> = boxes
             .iter()
             .map(|b| {
-                let place = next;
+                let target = next;
                 next += spacing + direction.extent(*b);
-                place
+                target
             })
             .collect();
-        shift_edges(self, &boxes, edge, |i| places[i]);
+        shift_edges(self, &boxes, edge, |i| targets[i]);
         self
     }
 
     /// Puts the same edge of every member `pitch` after that of the one before; the first member stays.
     fn distribute_by(&mut self, edge: Edge, pitch: impl Into<f64>) -> &mut Self {
         let pitch = pitch.into();
-        let Some(boxes) = boxes(self, "distribute_by").filter(|_| accept_spacing(self, pitch)) else { return self };
+        let Some(boxes) = boxes(self, "distribute_by").filter(|_| accept_spacing(self, "distribute_by", pitch)) else {
+            return self;
+        };
         let start = boxes.first().map_or(0.0, |first| edge.of(*first));
         shift_edges(self, &boxes, edge, |i| start + pitch * i as f64);
         self
@@ -142,24 +146,24 @@ pub trait Align {
     }
 }
 
-/// The boxes of all members, or `None` with a fault kept if one is empty.
-fn boxes<T: Align + ?Sized>(members: &mut T, word: &'static str) -> Option<Vec<Rect>> {
-    let boxes: Option<Vec<Rect>> = members.member_boxes().into_iter().collect();
-    if boxes.is_none() {
-        members.refuse_arrangement(DeferredError { word, refusal: Refusal::Empty });
+/// The boxes of all members, or `None` with a deferred error if one is empty.
+fn boxes<T: Align + ?Sized>(members: &mut T, method: &'static str) -> Option<Vec<Rect>> {
+    let boxes = members.member_boxes();
+    if let Some(empty) = boxes.iter().position(Option::is_none) {
+        members.defer_align_error(DeferredError { method, reason: Reason::EmptyMember(empty) });
     }
-    boxes
+    boxes.into_iter().collect()
 }
 
-fn accept_spacing<T: Align + ?Sized>(members: &mut T, spacing: f64) -> bool {
+fn accept_spacing<T: Align + ?Sized>(members: &mut T, method: &'static str, spacing: f64) -> bool {
     if !spacing.is_finite() {
-        members.refuse_arrangement(DeferredError { word: "distribute", refusal: Refusal::NumberNotFinite(spacing) });
+        members.defer_align_error(DeferredError { method, reason: Reason::NumberNotFinite(spacing) });
     }
     spacing.is_finite()
 }
 
-fn shift_edges<T: Align + ?Sized>(members: &mut T, boxes: &[Rect], edge: Edge, place: impl Fn(usize) -> f64) {
+fn shift_edges<T: Align + ?Sized>(members: &mut T, boxes: &[Rect], edge: Edge, target: impl Fn(usize) -> f64) {
     for (i, b) in boxes.iter().enumerate() {
-        members.move_member(i, edge.direction().vector(place(i) - edge.of(*b)));
+        members.move_member(i, edge.direction().vector(target(i) - edge.of(*b)));
     }
 }

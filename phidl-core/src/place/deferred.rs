@@ -1,68 +1,68 @@
-//! [`DeferredError`]: a placement word that was refused.
+//! [`DeferredError`]: the first invalid call of a chain of placement methods.
 
 use crate::error::Error;
 use crate::geom::Point;
 
-/// A placement word and why it was refused. The thing that was to be placed keeps it, and whoever takes the thing in
-/// makes an [`Error`] of it.
+/// A placement method that was called with an invalid argument. The element keeps it, and the next fallible call on that
+/// element (adding it to a cell, `connect`, `build`) makes an [`Error`] of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DeferredError {
-    /// The word.
-    pub word: &'static str,
-    /// Why it was refused.
-    pub refusal: Refusal,
+    /// The method.
+    pub method: &'static str,
+    /// Why the call is invalid.
+    pub reason: Reason,
 }
 
-/// Why a placement word was refused.
+/// Why a call of a placement method is invalid.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
-pub enum Refusal {
+pub enum Reason {
     /// A number is NaN or infinite.
     NumberNotFinite(f64),
     /// A point is not finite.
     PointNotFinite(Point),
-    /// A magnification is zero or negative.
+    /// A factor is zero or negative.
     FactorNotPositive(f64),
     /// A tolerance is negative or not finite.
     BadTolerance(f64),
     /// The two points of a mirror line are the same.
-    LineOfOnePoint(Point),
-    /// The thing draws nothing, so it has no edge to put anywhere.
+    MirrorLineOfOnePoint(Point),
+    /// The element is empty, so it has no edge to move.
     Empty,
+    /// This member of a group or selection is empty, so it has no edge to line up.
+    EmptyMember(usize),
 }
 
 impl DeferredError {
-    /// The error for it, naming the cell and the thing that was to be placed.
+    /// The error for it. `device` is the name of the cell, `what` names the element with its article: `the polygon`.
     #[must_use]
     pub fn into_error(self, device: &str, what: &str) -> Error {
-        let word = self.word;
-        let device: Box<str> = device.into();
-        match self.refusal {
-            Refusal::NumberNotFinite(v) => {
-                Error::NotFinite { device, what: format!("{word} of {what}").into(), value: v.to_string().into() }
-            }
-            Refusal::PointNotFinite(p) => {
-                Error::NotFinite { device, what: format!("{word} of {what}").into(), value: p.to_string().into() }
-            }
-            Refusal::FactorNotPositive(factor) => Error::Refused {
+        let method = self.method;
+        let not_finite = |value: String, nan: bool| Error::NotFinite {
+            device: device.into(),
+            what: format!("the argument of {method} for {what}").into(),
+            value: if nan { format!("{value} (as is every edge of an empty element)") } else { value }.into(),
+        };
+        let empty = |what: String| Error::EmptyGeometry { device: device.into(), method, what: what.into() };
+        match self.reason {
+            Reason::NumberNotFinite(v) => not_finite(v.to_string(), v.is_nan()),
+            Reason::PointNotFinite(p) => not_finite(p.to_string(), p.x.is_nan() || p.y.is_nan()),
+            Reason::FactorNotPositive(factor) => Error::invalid(
                 device,
-                what: format!("{word} of {what}").into(),
-                value: factor.to_string().into(),
-                rule: "be greater than 0".into(),
-            },
-            Refusal::BadTolerance(tolerance) => Error::Refused {
+                format!("the factor of {method} for {what} is {factor}, but it must be greater than 0"),
+            ),
+            Reason::BadTolerance(tolerance) => Error::invalid(
                 device,
-                what: format!("tolerance to {word} {what}").into(),
-                value: format!("{tolerance} µm").into(),
-                rule: "be finite and at least 0 µm".into(),
-            },
-            Refusal::LineOfOnePoint(p) => Error::Refused {
+                format!(
+                    "the tolerance of {method} for {what} is {tolerance} µm, but it must be finite and at least 0 µm"
+                ),
+            ),
+            Reason::MirrorLineOfOnePoint(p) => Error::invalid(
                 device,
-                what: format!("the line to {word} {what} at").into(),
-                value: format!("{p} to {p}").into(),
-                rule: "have two different points".into(),
-            },
-            Refusal::Empty => Error::EmptyGeometry { device, word, what: what.into() },
+                format!("the line of {method} for {what} needs two different points, but both are {p}"),
+            ),
+            Reason::Empty => empty(what.to_owned()),
+            Reason::EmptyMember(index) => empty(format!("member {index} of {what}, counted from 0,")),
         }
     }
 }

@@ -1,34 +1,39 @@
-//! The kernel on which the placement words stand.
+//! The two traits that a type implements to get the placement methods.
 
 use super::DeferredError;
 use crate::geom::{Point, Rect, Size, Transform};
 
-/// Something that can be moved, turned, mirrored and scaled as a whole.
+/// What can be moved, rotated, mirrored and scaled as a whole.
 pub trait Transformable {
-    /// Puts the thing through a transform, which is finite.
+    /// Applies a finite transform.
     fn transform_mut(&mut self, by: &Transform);
 
-    /// Turns the thing about a point (degrees, any finite number). A [`Transform`] keeps its angle within one turn, which
-    /// can cost the last bit; whoever must not lose it (a path, whose directions are hashed) turns in its own way.
+    /// Rotates about a point (degrees, any finite number). A [`Transform`] keeps its angle within one turn, which can
+    /// cost the last bit. A type that must keep it (a path, whose directions are hashed) overrides this.
     fn rotate_mut(&mut self, degrees: f64, center: Point) {
         self.transform_mut(&Transform::rotation_about(degrees, center));
     }
 
-    /// Mirrors the thing at the line through two different points; its own way for the same reason as with
+    /// Mirrors across the line through two different points. Overridden for the same reason as
     /// [`Transformable::rotate_mut`].
     fn mirror_mut(&mut self, p1: Point, p2: Point) {
         self.transform_mut(&Transform::reflection(p1, p2));
     }
 
-    /// Keeps the first placement that was refused, until a fallible call can return it.
+    /// Keeps the first invalid call until a fallible call on this value can return it.
     ///
-    /// Words chain, so they cannot fail in the middle; and a bad value must not pass for a place.
-    fn refuse(&mut self, fault: DeferredError);
+    /// Placement methods chain, so they cannot return a `Result`; and an invalid argument must not become a coordinate.
+    fn defer(&mut self, error: DeferredError);
 }
 
-/// Something that may take up room. Of an empty thing, the readers give NaN.
+/// What may have a bounding box.
+///
+/// # Empty elements
+/// `bbox()` is `None`. The other readers give NaN, and nothing accepts a NaN: setters, outlines, ports, labels, info and
+/// parameters refuse it with an error. Zero, as in PHIDL, would place silently wrong; a panic would end the program
+/// on a shape that a caller drew on no layer; an `Option` would cost a `?` in every relation between two elements.
 pub trait Bounded {
-    /// The tight box around it, or `None` if it is empty.
+    /// The tight bounding box, or `None` for an empty element.
     fn bbox(&self) -> Option<Rect>;
 
     /// The middle of the bounding box.

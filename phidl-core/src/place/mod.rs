@@ -1,8 +1,8 @@
-//! The one set of words for everything that has a place.
+//! The placement methods, the same for every element.
 //!
-//! A type gives the kernel, [`Transformable`] and [`Bounded`]; the words of [`Movable`] come from it by blanket
-//! implementation, so they mean the same for a polygon, a label, a port, a reference, a group, a path and an open cell.
-//! What handles several members at once gives [`Align`] and can be aligned and distributed.
+//! A type implements [`Transformable`] and [`Bounded`]. The methods of [`Movable`] follow by blanket implementation, so
+//! they mean the same for a polygon, a label, a port, a reference, a group, a path and an open cell. Types with several
+//! members implement [`Align`] and can be aligned and distributed.
 
 mod align;
 mod deferred;
@@ -10,6 +10,6 @@ mod kernel;
 mod movable;
 
 pub use align::{Align, Direction, Edge};
-pub use deferred::{DeferredError, Refusal};
+pub use deferred::{DeferredError, Reason};
 pub use kernel::{Bounded, Transformable};
 pub use movable::Movable;

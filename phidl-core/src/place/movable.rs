@@ -1,12 +1,13 @@
-//! [`Movable`]: the placement words.
+//! [`Movable`]: the placement methods.
 
-use super::{Bounded, DeferredError, Refusal, Transformable};
+use super::{Bounded, DeferredError, Reason, Transformable};
 use crate::geom::{Point, Rect, Transform};
 
-/// Moves, turns, mirrors and relates things. Lengths in µm, angles in degrees counter-clockwise.
+/// The placement methods: move, rotate, mirror, scale, and set an edge or the center of the bounding box. Lengths in µm,
+/// angles in degrees counter-clockwise.
 ///
-/// Each verb changes in place and chains; its participle (`rotated`) returns the changed thing. A setter moves the
-/// thing until the edge or the center is where it was asked to be.
+/// Each method changes the element in place and chains. Its participle (`rotated`) takes the element and returns it. A
+/// setter moves the element until the edge or the center has the given coordinate.
 ///
 /// ```
 /// # use phidl_core::prelude::*;
@@ -16,29 +17,30 @@ use crate::geom::{Point, Rect, Transform};
 /// assert_eq!(outline.clone().moved_by((1, 0)).xmin(), 11.0);
 /// ```
 ///
-/// # Bad values
-/// A number that is not finite, a mirror line of one point, or a setter on something empty changes nothing: the first
-/// such fault is kept and comes back as the error of the next fallible call (adding the thing to a cell, `build`).
+/// # Invalid arguments
+/// A number that is not finite, a mirror line of one point, or a setter on an empty element changes nothing. The element
+/// keeps the first such call as a [`DeferredError`]. The next fallible call on that element returns it: adding it to a
+/// cell, `connect`, or for an open cell `build` and `check`. No call on another element does.
 ///
-/// # Empty things
-/// [`Bounded::bbox`] is `None`, and its readers (`x`, `xmin`, `size` …) give NaN, which no setter takes.
+/// # Empty elements
+/// [`Bounded::bbox`] is `None`; see [`Bounded`] for the readers.
 pub trait Movable: Transformable + Bounded {
     /// Moves by a vector.
     fn move_by(&mut self, by: impl Into<Point>) -> &mut Self {
         let by = by.into();
         match finite_point("move_by", by) {
             Ok(()) => self.transform_mut(&Transform::translation(by)),
-            Err(fault) => self.refuse(fault),
+            Err(error) => self.defer(error),
         }
         self
     }
 
-    /// Moves such that `origin`, a place anywhere, comes to `destination`.
+    /// Moves by the vector from `origin`, any point, to `destination`.
     fn move_to(&mut self, origin: impl Into<Point>, destination: impl Into<Point>) -> &mut Self {
         let by = destination.into() - origin.into();
         match finite_point("move_to", by) {
             Ok(()) => self.transform_mut(&Transform::translation(by)),
-            Err(fault) => self.refuse(fault),
+            Err(error) => self.defer(error),
         }
         self
     }
@@ -53,31 +55,31 @@ pub trait Movable: Transformable + Bounded {
         self.move_by((0, by))
     }
 
-    /// Turns about the origin.
+    /// Rotates about the origin.
     fn rotate(&mut self, degrees: impl Into<f64>) -> &mut Self {
         self.rotate_about(degrees, Point::ORIGIN)
     }
 
-    /// Turns about a point.
+    /// Rotates about a point.
     fn rotate_about(&mut self, degrees: impl Into<f64>, center: impl Into<Point>) -> &mut Self {
         let (degrees, center) = (degrees.into(), center.into());
         match finite("rotate", degrees).and(finite_point("rotate", center)) {
             Ok(()) => self.rotate_mut(degrees, center),
-            Err(fault) => self.refuse(fault),
+            Err(error) => self.defer(error),
         }
         self
     }
 
-    /// Mirrors at the line through two points.
+    /// Mirrors across the line through two points.
     fn mirror(&mut self, p1: impl Into<Point>, p2: impl Into<Point>) -> &mut Self {
         let (p1, p2) = (p1.into(), p2.into());
         let line = match p1 == p2 {
-            true => Err(DeferredError { word: "mirror", refusal: Refusal::LineOfOnePoint(p1) }),
+            true => Err(DeferredError { method: "mirror", reason: Reason::MirrorLineOfOnePoint(p1) }),
             false => Ok(()),
         };
         match finite_point("mirror", p1).and(finite_point("mirror", p2)).and(line) {
             Ok(()) => self.mirror_mut(p1, p2),
-            Err(fault) => self.refuse(fault),
+            Err(error) => self.defer(error),
         }
         self
     }
@@ -86,17 +88,17 @@ pub trait Movable: Transformable + Bounded {
     fn scale(&mut self, factor: impl Into<f64>) -> &mut Self {
         let factor = factor.into();
         let positive = match factor <= 0.0 {
-            true => Err(DeferredError { word: "scale", refusal: Refusal::FactorNotPositive(factor) }),
+            true => Err(DeferredError { method: "scale", reason: Reason::FactorNotPositive(factor) }),
             false => Ok(()),
         };
         match finite("scale", factor).and(positive) {
             Ok(()) => self.transform_mut(&Transform::scaling(factor)),
-            Err(fault) => self.refuse(fault),
+            Err(error) => self.defer(error),
         }
         self
     }
 
-    /// The thing moved by a vector.
+    /// Moved by a vector.
     #[must_use]
     fn moved_by(mut self, by: impl Into<Point>) -> Self
     where
@@ -106,7 +108,7 @@ pub trait Movable: Transformable + Bounded {
         self
     }
 
-    /// The thing moved such that `origin` comes to `destination`.
+    /// Moved by the vector from `origin` to `destination`.
     #[must_use]
     fn moved_to(mut self, origin: impl Into<Point>, destination: impl Into<Point>) -> Self
     where
@@ -116,7 +118,7 @@ pub trait Movable: Transformable + Bounded {
         self
     }
 
-    /// The thing turned about the origin.
+    /// Rotated about the origin.
     #[must_use]
     fn rotated(mut self, degrees: impl Into<f64>) -> Self
     where
@@ -126,7 +128,7 @@ pub trait Movable: Transformable + Bounded {
         self
     }
 
-    /// The thing turned about a point.
+    /// Rotated about a point.
     #[must_use]
     fn rotated_about(mut self, degrees: impl Into<f64>, center: impl Into<Point>) -> Self
     where
@@ -136,7 +138,7 @@ pub trait Movable: Transformable + Bounded {
         self
     }
 
-    /// The thing mirrored at the line through two points.
+    /// Mirrored across the line through two points.
     #[must_use]
     fn mirrored(mut self, p1: impl Into<Point>, p2: impl Into<Point>) -> Self
     where
@@ -146,7 +148,7 @@ pub trait Movable: Transformable + Bounded {
         self
     }
 
-    /// The thing scaled about the origin.
+    /// Scaled about the origin.
     #[must_use]
     fn scaled(mut self, factor: impl Into<f64>) -> Self
     where
@@ -156,7 +158,7 @@ pub trait Movable: Transformable + Bounded {
         self
     }
 
-    /// The thing moved until its center is at a point.
+    /// Moved until the center is at a point.
     #[must_use]
     fn centered(mut self, at: impl Into<Point>) -> Self
     where
@@ -166,74 +168,81 @@ pub trait Movable: Transformable + Bounded {
         self
     }
 
-    /// Moves the middle to a point.
+    /// Moves the center to a point.
     fn set_center(&mut self, to: impl Into<Point>) -> &mut Self {
         let to = to.into();
-        relocate(self, "set_center", |b| to - b.center())
+        relocate(self, "set_center", to, |b| b.center())
     }
 
-    /// Moves along x until the middle is there.
+    /// Moves along x until the center has this coordinate.
     fn set_x(&mut self, to: impl Into<f64>) -> &mut Self {
         let to = to.into();
-        relocate(self, "set_x", |b| Point::new(to - b.center().x, 0.0))
+        relocate(self, "set_x", (to, 0.0), |b| Point::new(b.center().x, 0.0))
     }
 
-    /// Moves along y until the middle is there.
+    /// Moves along y until the center has this coordinate.
     fn set_y(&mut self, to: impl Into<f64>) -> &mut Self {
         let to = to.into();
-        relocate(self, "set_y", |b| Point::new(0.0, to - b.center().y))
+        relocate(self, "set_y", (0.0, to), |b| Point::new(0.0, b.center().y))
     }
 
-    /// Moves along x until the left edge is there.
+    /// Moves along x until the left edge has this coordinate.
     fn set_xmin(&mut self, to: impl Into<f64>) -> &mut Self {
         let to = to.into();
-        relocate(self, "set_xmin", |b| Point::new(to - b.min.x, 0.0))
+        relocate(self, "set_xmin", (to, 0.0), |b| Point::new(b.min.x, 0.0))
     }
 
-    /// Moves along x until the right edge is there.
+    /// Moves along x until the right edge has this coordinate.
     fn set_xmax(&mut self, to: impl Into<f64>) -> &mut Self {
         let to = to.into();
-        relocate(self, "set_xmax", |b| Point::new(to - b.max.x, 0.0))
+        relocate(self, "set_xmax", (to, 0.0), |b| Point::new(b.max.x, 0.0))
     }
 
-    /// Moves along y until the lower edge is there.
+    /// Moves along y until the lower edge has this coordinate.
     fn set_ymin(&mut self, to: impl Into<f64>) -> &mut Self {
         let to = to.into();
-        relocate(self, "set_ymin", |b| Point::new(0.0, to - b.min.y))
+        relocate(self, "set_ymin", (0.0, to), |b| Point::new(0.0, b.min.y))
     }
 
-    /// Moves along y until the upper edge is there.
+    /// Moves along y until the upper edge has this coordinate.
     fn set_ymax(&mut self, to: impl Into<f64>) -> &mut Self {
         let to = to.into();
-        relocate(self, "set_ymax", |b| Point::new(0.0, to - b.max.y))
+        relocate(self, "set_ymax", (0.0, to), |b| Point::new(0.0, b.max.y))
     }
 }
 
 impl<T: Transformable + Bounded + ?Sized> Movable for T {}
 
+/// Moves the element by the vector from a point of its box to a target.
 fn relocate<'a, T: Movable + ?Sized>(
-    thing: &'a mut T,
-    word: &'static str,
-    displacement: impl FnOnce(Rect) -> Point,
+    element: &'a mut T,
+    method: &'static str,
+    target: impl Into<Point>,
+    of_box: impl FnOnce(Rect) -> Point,
 ) -> &'a mut T {
-    let by = match thing.bbox() {
-        Some(bbox) => displacement(bbox),
-        None => {
-            thing.refuse(DeferredError { word, refusal: Refusal::Empty });
-            return thing;
-        }
+    let target = target.into();
+    let by = match (finite_point(method, target), element.bbox()) {
+        (Err(error), _) => Err(error),
+        (Ok(()), None) => Err(DeferredError { method, reason: Reason::Empty }),
+        (Ok(()), Some(bbox)) => Ok(target - of_box(bbox)),
     };
-    match finite_point(word, by) {
-        Ok(()) => thing.transform_mut(&Transform::translation(by)),
-        Err(fault) => thing.refuse(fault),
+    match by.and_then(|by| finite_point(method, by).map(|()| by)) {
+        Ok(by) => element.transform_mut(&Transform::translation(by)),
+        Err(error) => element.defer(error),
     }
-    thing
+    element
 }
 
-fn finite(word: &'static str, v: f64) -> Result<(), DeferredError> {
-    if v.is_finite() { Ok(()) } else { Err(DeferredError { word, refusal: Refusal::NumberNotFinite(v) }) }
+fn finite(method: &'static str, v: f64) -> Result<(), DeferredError> {
+    if v.is_finite() { Ok(()) } else { Err(DeferredError { method, reason: Reason::NumberNotFinite(v) }) }
 }
 
-fn finite_point(word: &'static str, p: Point) -> Result<(), DeferredError> {
-    if p.is_finite() { Ok(()) } else { Err(DeferredError { word, refusal: Refusal::PointNotFinite(p) }) }
+/// A point of which one coordinate is 0, as setters of one coordinate give it, is reported as that coordinate alone.
+fn finite_point(method: &'static str, p: Point) -> Result<(), DeferredError> {
+    match (p.is_finite(), p.x == 0.0, p.y == 0.0) {
+        (true, ..) => Ok(()),
+        (false, true, _) => finite(method, p.y),
+        (false, _, true) => finite(method, p.x),
+        (false, false, false) => Err(DeferredError { method, reason: Reason::PointNotFinite(p) }),
+    }
 }

@@ -42,12 +42,9 @@ pub fn find(name: &str) -> Result<&'static GeneratorInfo> {
         }),
         _ => {
             let paths: Vec<_> = found.iter().map(|entry| path(entry.module, entry.name)).collect();
-            Err(Error::Refused {
-                device: "registry".into(),
-                what: "name of a generator".into(),
-                value: format!("{name:?}").into(),
-                rule: format!("say which one: {}", paths.join(" or ")).into(),
-            })
+            let problem =
+                format!("several generators are called {name:?}: {}; name one with its path", paths.join(", "));
+            Err(Error::invalid("registry", problem))
         }
     }
 }

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use smol_str::SmolStr;
 
-use super::by_name::{ByName, Named};
-use super::outlines::Outlines;
+use super::named_list::{Named, NamedList};
+use super::polygon_store::PolygonStore;
 use super::{Label, Reference, Source};
 use crate::error::{Error, ItemKind, Result};
 use crate::geom::{Rect, Transform};
@@ -17,11 +17,11 @@ use crate::port::Port;
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Cell {
     pub(crate) name: SmolStr,
-    pub(crate) outlines: Outlines,
+    pub(crate) polygons: PolygonStore,
     pub(crate) references: Vec<Reference>,
     pub(crate) labels: Vec<Label>,
-    pub(crate) ports: ByName<Port>,
-    pub(crate) aliases: ByName<Alias>,
+    pub(crate) ports: NamedList<Port>,
+    pub(crate) aliases: NamedList<Alias>,
     pub(crate) info: BTreeMap<String, Value>,
     pub(crate) source: Option<Source>,
 }
@@ -30,8 +30,8 @@ pub(crate) struct Cell {
 #[derive(Debug, Clone)]
 pub(crate) struct Alias {
     pub(crate) name: SmolStr,
-    /// The place in `references`.
-    pub(crate) place: usize,
+    /// The index in `references`.
+    pub(crate) index: usize,
 }
 
 impl Named for Alias {
@@ -45,20 +45,20 @@ impl Cell {
         self.ports.get(name).ok_or_else(|| self.unknown(ItemKind::Port, name, self.ports.names()))
     }
 
-    /// The place of the reference with this alias.
+    /// The index of the reference with this alias.
     pub(crate) fn alias(&self, alias: &str) -> Result<usize> {
-        let found = self.aliases.get(alias).map(|alias| alias.place);
+        let found = self.aliases.get(alias).map(|alias| alias.index);
         found.ok_or_else(|| self.unknown(ItemKind::Alias, alias, self.aliases.names()))
     }
 
     pub(crate) fn bbox(&self) -> Option<Rect> {
         let references = self.references.iter().map(Bounded::bbox);
-        Rect::union_all(references.chain([self.outlines.bbox()]))
+        Rect::union_all(references.chain([self.polygons.bbox()]))
     }
 
     pub(crate) fn transform_mut(&mut self, by: &Transform) {
         let matrix = by.matrix();
-        self.outlines.all_points_mut().iter_mut().for_each(|p| *p = matrix.apply(*p));
+        self.polygons.all_points_mut().iter_mut().for_each(|p| *p = matrix.apply(*p));
         self.references.iter_mut().for_each(|reference| reference.transform_mut(by));
         self.labels.iter_mut().for_each(|label| label.transform_mut(by));
         self.ports.iter_mut().for_each(|port| port.transform_mut(by));

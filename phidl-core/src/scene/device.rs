@@ -5,6 +5,7 @@ use std::sync::OnceLock;
 
 use triomphe::Arc;
 
+use super::leaves_first::{leaves_first, placed, placed_and_recorded, release};
 use super::{Array, Cell, DeviceBuilder, Label, PolygonView, Reference, Source};
 use crate::error::Result;
 use crate::geom::{Point, Rect, Transform, convex_hull};
@@ -16,12 +17,12 @@ use crate::port::Port;
 
 /// A finished cell: immutable, shared, cheap to clone, safe to use from several threads.
 ///
-/// Nobody can change a cell that is cached or placed; [`Device::edit`] opens a copy. Two devices are equal if their
-/// contents are, down to ports and info; [`Device::same_cell`] asks whether they are one and the same.
+/// A finished cell never changes; [`Device::edit`] opens a copy. Two devices are equal if their contents are, including
+/// ports and info; [`Device::same_cell`] tests whether they are the same object.
 #[derive(Clone)]
 pub struct Device(Arc<Finished>);
 
-/// A cell with room for what is remembered about it when it is finished.
+/// A cell with its cached properties.
 pub(super) struct Finished {
     pub(super) cell: Cell,
     bbox: OnceLock<Option<Rect>>,
@@ -51,7 +52,7 @@ impl Device {
         Self(finished)
     }
 
-    /// Opens a copy of this cell. The copy keeps the name, and forgets the generator that drew the original.
+    /// Opens a copy of this cell. The copy keeps the name but not the record of the generator.
     #[must_use]
     pub fn edit(&self) -> DeviceBuilder {
         DeviceBuilder::from_cell(Cell { source: None, ..self.cell().clone() })
@@ -85,7 +86,8 @@ impl Device {
         Reference::new(self.clone(), Transform::IDENTITY)
     }
 
-    /// A regular array of this cell from the origin on: `spacing` is from column to column and from row to row (µm).
+    /// A regular array of this cell, the first element at the origin; `spacing` is from column to column and from row to row
+    /// (µm).
     #[must_use]
     pub fn array(&self, columns: u32, rows: u32, spacing: impl Into<Point>) -> Reference {
         let spacing = spacing.into();
@@ -97,28 +99,28 @@ impl Device {
         })
     }
 
-    /// The name of the cell. Files may need another one; they get it when they are written.
+    /// The name of the cell. A file may need another one; it is made when the file is written.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.cell().name
     }
 
-    /// Whether both are one and the same cell.
+    /// Whether both are the same object, not only equal.
     #[must_use]
     pub fn same_cell(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
     }
 
-    /// A number that tells this cell from every other one that is alive: for tables of cells within a program run.
+    /// The identity of this cell among all cells that are alive: for tables of cells within a run of the program.
     #[must_use]
-    pub fn address(&self) -> usize {
+    pub fn ptr_id(&self) -> usize {
         Arc::as_ptr(&self.0) as usize
     }
 
     /// A port.
     ///
     /// # Errors
-    /// [`Error::Unknown`](crate::Error::Unknown) with the names that are there.
+    /// [`Error::Unknown`](crate::Error::Unknown) with the names that exist.
     pub fn port(&self, name: &str) -> Result<&Port> {
         self.cell().port(name)
     }
@@ -131,20 +133,20 @@ impl Device {
     /// The reference under an alias.
     ///
     /// # Errors
-    /// [`Error::Unknown`](crate::Error::Unknown) with the aliases that are there.
+    /// [`Error::Unknown`](crate::Error::Unknown) with the aliases that exist.
     pub fn get(&self, alias: &str) -> Result<&Reference> {
         Ok(&self.cell().references[self.cell().alias(alias)?])
     }
 
     /// The aliases with their references, in the order in which they were added.
     pub fn aliases(&self) -> impl ExactSizeIterator<Item = (&str, &Reference)> {
-        self.cell().aliases.iter().map(|alias| (alias.name.as_str(), &self.cell().references[alias.place]))
+        self.cell().aliases.iter().map(|alias| (alias.name.as_str(), &self.cell().references[alias.index]))
     }
 
     /// The polygons of this cell itself, in the order in which they were added. For those of the whole hierarchy see
     /// [`Device::flat_polygons`].
     pub fn polygons(&self) -> impl ExactSizeIterator<Item = PolygonView<'_>> + DoubleEndedIterator + Clone {
-        self.cell().outlines.iter()
+        self.cell().polygons.iter()
     }
 
     /// The polygon with an index, in the order in which they were added.
@@ -166,7 +168,7 @@ impl Device {
         &self.cell().labels
     }
 
-    /// What was recorded about the cell.
+    /// The values recorded about the cell.
     #[must_use]
     pub fn info(&self) -> &BTreeMap<String, Value> {
         &self.cell().info
@@ -178,44 +180,54 @@ impl Device {
         self.cell().source.as_ref()
     }
 
-    /// Whether nothing is drawn in the cell or below it.
+    /// Whether the cell and all cells below it have no polygons.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.bbox().is_none()
     }
 
-    /// Identity of the content: equal for cells that agree in all they hold (drawing, names, ports, info, generator),
-    /// on every machine and in every run. Computed when first asked for.
+    /// The identity of the content: equal for cells with equal drawing, names, ports, info and generator, on every machine
+    /// and in every run. Computed on the first call.
     #[must_use]
     pub fn content_hash(&self) -> Digest {
+        let known = |device: &Self| device.0.content.get().is_some();
+        let compute = |device: &Self| _ = device.0.content.get_or_init(|| hash::content(device.cell()));
+        leaves_first(self, placed_and_recorded, known, compute);
         *self.0.content.get_or_init(|| hash::content(self.cell()))
     }
 
-    /// Identity of the drawing: equal for cells that a file could not tell apart (polygons, references and labels, in
-    /// order, all the way down), whatever their names, ports and info. Computed when first asked for.
+    /// The identity of the drawing: equal for cells with equal polygons, references and labels, in order, on all levels,
+    /// whatever their names, ports and info. Computed on the first call.
     #[must_use]
     pub fn drawing_hash(&self) -> Digest {
+        let known = |device: &Self| device.0.drawing.get().is_some();
+        let compute = |device: &Self| _ = device.0.drawing.get_or_init(|| hash::drawing(device.cell()));
+        leaves_first(self, placed, known, compute);
         *self.0.drawing.get_or_init(|| hash::drawing(self.cell()))
     }
 
-    /// The order-sensitive SHA-1 of the reference library over all polygons of the hierarchy, as 40 hexadecimal
-    /// digits: for comparing results. Coordinates are cut off at `precision` (µm, usually 1e-4).
+    /// PHIDL's order-sensitive SHA-1 of all polygons of the hierarchy, as 40 hexadecimal digits, for comparing results.
+    /// Coordinates are truncated to `precision` (µm, usually 1e-4).
     ///
     /// Layers, vertex order and first vertices matter; polygon order, hierarchy, ports and labels do not.
     ///
     /// # Errors
-    /// [`Error::Refused`](crate::Error::Refused) unless the precision is a positive length.
+    /// [`Error::Invalid`](crate::Error::Invalid) unless the precision is a positive length; [`Error::TooLarge`](crate::Error::TooLarge)
+    /// beyond [`FLAT_LIMIT`](super::FLAT_LIMIT).
     pub fn hash_geometry(&self, precision: f64) -> Result<String> {
         hash::geometry(self, precision)
     }
 
-    /// The corners of the convex hull of everything drawn: what the box of a turned placement depends on.
+    /// The corners of the convex hull of all polygons. The bounding box of a rotated placement depends on nothing else.
     #[must_use]
     pub fn hull(&self) -> &[Point] {
+        let known = |device: &Self| device.0.hull.get().is_some();
+        let compute = |device: &Self| _ = device.0.hull.get_or_init(|| hull_of(device.cell()).into());
+        leaves_first(self, placed, known, compute);
         self.0.hull.get_or_init(|| hull_of(self.cell()).into())
     }
 
-    /// The layers that polygons of this cell and below are drawn on, ascending.
+    /// The layers of all polygons in this cell and below, ascending.
     #[must_use]
     pub fn layers(&self) -> Vec<Layer> {
         let mut layers: Vec<Layer> =
@@ -235,57 +247,70 @@ impl Device {
         match Arc::get_mut(&mut self.0) {
             Some(finished) => {
                 finished.cell.source = source;
-                finished.content = OnceLock::new(); // takes the source in
+                finished.content = OnceLock::new(); // it includes the source
                 self
             }
             None => Self::from_cell(Cell { source, ..self.cell().clone() }),
         }
     }
 
-    /// About how many bytes this cell itself takes, without the cells it refers to.
+    /// The approximate size of this cell in bytes, without the cells that it places.
     pub(crate) fn own_size(&self) -> usize {
         let cell = self.cell();
         let map_entry = 128;
         size_of::<Finished>()
-            + cell.outlines.heap_size()
+            + cell.polygons.heap_size()
             + cell.references.capacity() * size_of::<Reference>()
             + cell.labels.capacity() * size_of::<Label>()
             + (cell.ports.len() + cell.aliases.len() + cell.info.len()) * map_entry
     }
 }
 
-/// The hull of a cell: of its own points and of the hulls of what it places.
+/// The convex hull of a cell, from its own points and from the hulls of what it places.
 fn hull_of(cell: &Cell) -> Vec<Point> {
-    /// Own points are taken in by the lot, so that a huge cell does not copy all its points.
-    const LOT: usize = 4096;
+    /// The hull is built in batches, so that a huge cell does not copy all its points.
+    const BATCH: usize = 4096;
     let mut hull = Vec::new();
-    for lot in cell.outlines.all_points().chunks(LOT) {
-        hull.extend_from_slice(lot);
+    for batch in cell.polygons.all_points().chunks(BATCH) {
+        hull.extend_from_slice(batch);
         hull = convex_hull(hull);
     }
     for reference in &cell.references {
-        let Some(_) = reference.bbox() else { continue };
-        let (columns, rows) = reference.array().map_or((1, 1), |a| (a.columns, a.rows));
-        for (column, row) in [(0, 0), (columns - 1, 0), (0, rows - 1), (columns - 1, rows - 1)] {
-            let matrix = reference.element(column, row).matrix();
-            hull.extend(reference.device().hull().iter().map(|p| matrix.apply(*p)));
+        let placed = reference.device().hull();
+        if placed.is_empty() {
+            continue;
         }
-        if hull.len() > LOT {
+        for element in reference.corner_elements() {
+            let matrix = element.matrix();
+            hull.extend(placed.iter().map(|p| matrix.apply(*p)));
+        }
+        if hull.len() > BATCH {
             hull = convex_hull(hull);
         }
     }
     convex_hull(hull)
 }
 
+impl Drop for Finished {
+    fn drop(&mut self) {
+        release(&mut self.cell);
+    }
+}
+
 impl Bounded for Device {
-    /// The box around all polygons and references; ports and labels do not count. Remembered after the first call.
+    /// The bounding box of all polygons and references; ports and labels do not count. Cached.
     fn bbox(&self) -> Option<Rect> {
+        if let Some(bbox) = self.0.bbox.get() {
+            return *bbox;
+        }
+        let known = |device: &Self| device.0.bbox.get().is_some();
+        leaves_first(self, placed, known, |device| _ = device.0.bbox.get_or_init(|| device.cell().bbox()));
         *self.0.bbox.get_or_init(|| self.cell().bbox())
     }
 }
 
 impl From<&Device> for Device {
-    /// The same cell once more, as cheap as a clone.
+    /// The same cell, as a clone.
     fn from(device: &Device) -> Self {
         device.clone()
     }
@@ -314,7 +339,7 @@ impl std::fmt::Display for Device {
             cell.name,
             cell.ports.names().collect::<Vec<_>>(),
             cell.aliases.names().collect::<Vec<_>>(),
-            cell.outlines.len(),
+            cell.polygons.len(),
             cell.references.len()
         )
     }

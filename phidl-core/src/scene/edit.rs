@@ -1,10 +1,11 @@
-//! Edits of an open cell that reach further than one thing in it.
+//! Edits of an open cell beyond adding: removing, flattening, layers, simplifying.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-use super::flatten::{all_labels, all_outlines};
+use super::flat_counts::FLAT_LIMIT;
+use super::flatten::Flat;
 use super::map_cells::rewrite_below;
-use super::{Cell, Device, DeviceBuilder, Key, Label, PolygonKey, Properties, ReferenceKey};
+use super::{Cell, Device, DeviceBuilder, Key, Keys, Label, PolygonKey, PolygonView, Properties, ReferenceKey};
 use crate::error::{Error, ItemKind, Result};
 use crate::geom::simplified;
 use crate::layer::{Layer, Layers};
@@ -19,140 +20,186 @@ pub enum LayerTarget {
 }
 
 impl DeviceBuilder {
-    /// Removes a reference (with its aliases), a polygon (all its copies) or a label.
+    /// Removes references (with their aliases), polygons (with all copies) and labels: one key, or a list of keys. If one
+    /// key is refused, nothing is removed.
     ///
     /// # Errors
-    /// [`Error::Unknown`] if it is gone already or belongs to another cell.
-    pub fn remove(&mut self, key: impl Into<Key>) -> Result<&mut Self> {
-        match key.into() {
-            Key::Reference(key) => {
-                let place = self.reference_place(key)?;
-                self.removed_references.remove_place(place);
-                self.cell.references.remove(place);
-                self.drop_aliases_of(place);
-            }
-            Key::Label(key) => {
-                let place = self.label_place(key)?;
-                self.removed_labels.remove_place(place);
-                self.cell.labels.remove(place);
-            }
-            Key::Polygon(key) => {
-                let places = self.polygon_places(key)?;
-                let mut place = 0;
-                self.cell.outlines.retain(|_| {
-                    place += 1;
-                    !places.contains(&(place - 1))
-                });
-                places.iter().rev().for_each(|place| self.removed_polygons.remove_place(*place));
+    /// [`Error::Removed`], [`Error::ForeignKey`].
+    pub fn remove(&mut self, keys: impl Keys) -> Result<&mut Self> {
+        let (mut references, mut polygons, mut labels) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
+        for key in keys.into_keys() {
+            match key {
+                Key::Reference(key) => _ = references.insert(self.reference_index(key)?),
+                Key::Polygon(key) => polygons.extend(self.polygon_indices(key)?),
+                Key::Label(key) => _ = labels.insert(self.label_index(key)?),
             }
         }
+        self.remove_references(&Vec::from_iter(references));
+        self.remove_polygon_indices(|index, _| polygons.contains(&index));
+        self.remove_label_indices(|index, _| labels.contains(&index));
         Ok(self)
+    }
+
+    /// Removes references by ascending indices.
+    fn remove_references(&mut self, removed: &[usize]) {
+        if removed.is_empty() {
+            return;
+        }
+        let mut index = 0;
+        self.cell.references.retain(|_| {
+            index += 1;
+            removed.binary_search(&(index - 1)).is_err()
+        });
+        self.keys.references.remove(removed);
+        self.cell.aliases.retain(|alias| match removed.binary_search(&alias.index) {
+            Ok(_) => false,
+            Err(before) => {
+                alias.index -= before;
+                true
+            }
+        });
+    }
+
+    fn remove_polygon_indices(&mut self, mut test: impl FnMut(usize, PolygonView<'_>) -> bool) {
+        let mut index = 0;
+        let removed = self.cell.polygons.retain(|polygon| {
+            index += 1;
+            !test(index - 1, polygon)
+        });
+        self.keys.polygons.remove(&removed);
+    }
+
+    fn remove_label_indices(&mut self, mut test: impl FnMut(usize, &Label) -> bool) {
+        let labels = &mut self.cell.labels;
+        let removed: Vec<usize> = (0..labels.len()).filter(|index| test(*index, &labels[*index])).collect();
+        let mut index = 0;
+        labels.retain(|_| {
+            index += 1;
+            removed.binary_search(&(index - 1)).is_err()
+        });
+        self.keys.labels.remove(&removed);
     }
 
     /// Removes a port.
     ///
     /// # Errors
-    /// [`Error::Unknown`] with the names that are there.
+    /// [`Error::Unknown`] with the names that exist.
     pub fn remove_port(&mut self, name: &str) -> Result<&mut Self> {
         self.cell.port(name)?;
         self.cell.ports.retain(|port| port.name() != name);
         Ok(self)
     }
 
-    /// Gives a port another name and keeps its place among the others.
+    /// Gives a port another name; it keeps its position in the order of ports.
     ///
     /// # Errors
-    /// [`Error::Unknown`] with the names that are there, [`Error::Duplicate`] if the new name is taken.
+    /// [`Error::Unknown`] with the names that exist, [`Error::Duplicate`] if the new name is taken.
     pub fn rename_port(&mut self, name: &str, new: &str) -> Result<&mut Self> {
-        if new != name && self.cell.ports.place(new).is_some() {
+        if new != name && self.cell.ports.index_of(new).is_some() {
             let device = self.cell.name.as_str().into();
             return Err(Error::Duplicate { device, kind: ItemKind::Port, name: new.into() });
         }
         let port = self.cell.port(name)?.clone().named(new);
-        if let Some(place) = self.cell.ports.place(name) {
-            self.cell.ports.replace(place, port);
+        if let Some(index) = self.cell.ports.index_of(name) {
+            self.cell.ports.replace(index, port);
         }
         Ok(self)
     }
 
     /// Removes the polygons of this cell itself for which the test holds.
-    pub fn remove_polygons(&mut self, mut test: impl FnMut(super::PolygonView<'_>) -> bool) -> &mut Self {
-        let removed = self.cell.outlines.retain(|polygon| !test(polygon));
-        removed.iter().rev().for_each(|place| self.removed_polygons.remove_place(*place));
+    pub fn remove_polygons(&mut self, mut test: impl FnMut(PolygonView<'_>) -> bool) -> &mut Self {
+        self.remove_polygon_indices(|_, polygon| test(polygon));
         self
     }
 
     /// Removes the labels of this cell itself for which the test holds.
     pub fn remove_labels(&mut self, mut test: impl FnMut(&Label) -> bool) -> &mut Self {
-        let removed: Vec<usize> = (0..self.cell.labels.len()).filter(|place| test(&self.cell.labels[*place])).collect();
-        for place in removed.into_iter().rev() {
-            self.removed_labels.remove_place(place);
-            self.cell.labels.remove(place);
-        }
+        self.remove_label_indices(|_, label| test(label));
         self
     }
 
-    /// Keeps texts with a polygon when it is written to a file.
+    /// Sets the properties of a polygon: numbered texts that a file keeps with it.
     ///
     /// # Errors
-    /// [`Error::Unknown`] if the polygon was removed or belongs to another cell.
+    /// [`Error::Removed`], [`Error::ForeignKey`].
     pub fn set_properties(&mut self, key: PolygonKey, properties: Properties) -> Result<&mut Self> {
-        for place in self.polygon_places(key)? {
-            self.cell.outlines.set_properties(place, properties.clone());
+        for index in self.polygon_indices(key)? {
+            self.cell.polygons.set_properties(index, properties.clone());
         }
         Ok(self)
     }
 
-    /// Puts a reference's polygons and labels, the whole way down, into this cell in its place.
+    /// Replaces a reference by the polygons and labels of its whole hierarchy, in this cell.
     ///
     /// # Errors
-    /// [`Error::Unknown`] if the reference was removed or belongs to another cell; what is wrong with its placement.
+    /// [`Error::Removed`], [`Error::ForeignKey`]; what is wrong with its placement; [`Error::TooLarge`] beyond
+    /// [`FLAT_LIMIT`].
     pub fn absorb(&mut self, key: ReferenceKey) -> Result<&mut Self> {
         let reference = self.reference(key)?.clone();
         reference.check(&self.cell.name)?;
-        let lone = Cell { name: "absorbed".into(), references: vec![reference], ..Cell::default() };
-        let lone = Device::from_cell(lone);
-        all_outlines(&lone).iter().for_each(|polygon| self.cell.outlines.push_view(polygon));
-        self.cell.labels.extend(all_labels(&lone));
+        let single = Device::from_cell(Cell { references: vec![reference], ..Cell::default() });
+        let flat = Flat::of(&single, &self.cell.name, FLAT_LIMIT)?;
+        flat.polygons.iter().for_each(|polygon| self.cell.polygons.push_view(polygon));
+        self.cell.labels.extend(flat.labels);
         self.remove(key)
     }
 
-    /// Puts all polygons and labels of the hierarchy into this cell in place of the references. Ports stay; aliases go
-    /// with the references that they name.
-    pub fn flatten(&mut self) -> &mut Self {
-        let checked = self.cell.references.iter().try_for_each(|r| r.check(&self.cell.name));
-        if let Err(error) = checked {
-            self.keep(error);
-            return self;
-        }
+    /// Replaces all references by the polygons and labels of their whole hierarchy, in this cell. Ports stay; aliases are
+    /// removed with the references that they name.
+    ///
+    /// # Errors
+    /// What is wrong with the placement of a reference; [`Error::TooLarge`] beyond [`FLAT_LIMIT`]. The cell stays as it
+    /// was.
+    pub fn flatten(&mut self) -> Result<&mut Self> {
+        self.flatten_within(FLAT_LIMIT)
+    }
+
+    /// As [`DeviceBuilder::flatten`], with another limit on polygons, points and labels.
+    ///
+    /// # Errors
+    /// As for [`DeviceBuilder::flatten`].
+    pub fn flatten_within(&mut self, limit: u64) -> Result<&mut Self> {
+        self.cell.references.iter().try_for_each(|r| r.check(&self.cell.name))?;
         if self.cell.references.is_empty() {
-            return self;
+            return Ok(self);
         }
+        let removed = Vec::from_iter(0..self.cell.references.len());
+        // The polygons of the open cell are moved into the hierarchy and back, not copied, unless the limit refuses it.
         let hierarchy = Device::from_cell(std::mem::take(&mut *self.cell));
         let cell = hierarchy.cell();
+        let flat = match Flat::of(&hierarchy, &cell.name, limit) {
+            Ok(flat) => flat,
+            Err(error) => {
+                *self.cell = cell.clone();
+                return Err(error);
+            }
+        };
         *self.cell = Cell {
             name: cell.name.clone(),
-            outlines: all_outlines(&hierarchy),
-            labels: all_labels(&hierarchy),
+            polygons: flat.polygons,
+            labels: flat.labels,
             ports: cell.ports.clone(),
             info: cell.info.clone(),
             ..Cell::default()
         };
-        (0..cell.references.len()).rev().for_each(|place| self.removed_references.remove_place(place));
-        self
+        self.keys.references.remove(&removed);
+        Ok(self)
     }
 
     /// As [`DeviceBuilder::flatten`], with all polygons and labels on one layer.
-    pub fn flatten_onto(&mut self, layer: impl Into<Layer>) -> &mut Self {
+    ///
+    /// # Errors
+    /// As for [`DeviceBuilder::flatten`].
+    pub fn flatten_onto(&mut self, layer: impl Into<Layer>) -> Result<&mut Self> {
         let layer = layer.into();
-        self.flatten();
-        (0..self.cell.outlines.len()).for_each(|place| self.cell.outlines.set_layer(place, layer));
+        self.flatten()?;
+        (0..self.cell.polygons.len()).for_each(|index| self.cell.polygons.set_layer(index, layer));
         self.cell.labels.iter_mut().for_each(|label| label.layer = layer);
-        self
+        Ok(self)
     }
 
-    /// Moves what is drawn from layers to others, here and in copies of all cells below; every layer is looked up once,
-    /// so two layers can be exchanged.
+    /// Moves elements from layers to other layers, in this cell and in copies of all cells below. Every layer is looked up
+    /// once, so two layers can be exchanged.
     ///
     /// ```
     /// # use phidl_core::prelude::*;
@@ -169,31 +216,27 @@ impl DeviceBuilder {
         self
     }
 
-    /// Removes what is drawn on some layers, here and in copies of all cells below.
+    /// Removes the elements on some layers, in this cell and in copies of all cells below.
     pub fn remove_layers(&mut self, layers: impl Into<Layers>, affects: LayerTarget) -> &mut Self {
         let layers = layers.into();
         self.keep_where(affects, |layer| !layers.contains(layer))
     }
 
-    /// Removes what is not drawn on some layers, here and in copies of all cells below.
+    /// Removes the elements on all other layers, in this cell and in copies of all cells below.
     pub fn keep_layers(&mut self, layers: impl Into<Layers>, affects: LayerTarget) -> &mut Self {
         let layers = layers.into();
         self.keep_where(affects, |layer| layers.contains(layer))
     }
 
-    /// Takes out the points that are not needed to stay within `tolerance` (µm) of every outline, here and in copies of
-    /// all cells below. An outline that would lose its third point stays as it is.
+    /// Removes the points that are not needed to stay within `tolerance` (µm) of every outline, in this cell and in copies
+    /// of all cells below. An outline that would be left with fewer than three points stays as it is.
     ///
     /// # Errors
-    /// [`Error::Refused`] if the tolerance is negative or not a number.
+    /// [`Error::Invalid`] if the tolerance is negative or not a number.
     pub fn simplify(&mut self, tolerance: f64) -> Result<&mut Self> {
         if tolerance.is_nan() || tolerance < 0.0 {
-            return Err(Error::Refused {
-                device: self.cell.name.as_str().into(),
-                what: "tolerance of simplify".into(),
-                value: format!("{tolerance} µm").into(),
-                rule: "be at least 0 µm".into(),
-            });
+            let problem = format!("the tolerance of simplify is {tolerance} µm, but it must be at least 0 µm");
+            return Err(Error::invalid(&self.cell.name, problem));
         }
         rewrite_below(&mut self.cell, |cell| simplify(cell, tolerance));
         Ok(self)
@@ -201,27 +244,22 @@ impl DeviceBuilder {
 
     fn keep_where(&mut self, affects: LayerTarget, keep: impl Fn(Layer) -> bool) -> &mut Self {
         let mut removed = (Vec::new(), Vec::new());
-        // The open cell itself comes last; its removals are the ones that keys must know of.
+        // The open cell itself comes last; only its removals concern keys.
         rewrite_below(&mut self.cell, |cell| {
             removed = retain_layers(cell, affects, &keep);
             !(removed.0.is_empty() && removed.1.is_empty())
         });
-        removed.0.iter().rev().for_each(|place| self.removed_polygons.remove_place(*place));
-        removed.1.iter().rev().for_each(|place| self.removed_labels.remove_place(*place));
+        self.keys.polygons.remove(&removed.0);
+        self.keys.labels.remove(&removed.1);
         self
-    }
-
-    fn drop_aliases_of(&mut self, removed: usize) {
-        self.cell.aliases.retain(|alias| alias.place != removed);
-        self.cell.aliases.iter_mut().filter(|alias| alias.place > removed).for_each(|alias| alias.place -= 1);
     }
 }
 
 fn remap(cell: &mut Cell, map: &BTreeMap<Layer, Layer>, affects: LayerTarget) -> bool {
     let mut any = false;
-    for place in 0..cell.outlines.len() {
-        if let Some(layer) = map.get(&cell.outlines.get(place).layer) {
-            cell.outlines.set_layer(place, *layer);
+    for index in 0..cell.polygons.len() {
+        if let Some(layer) = map.get(&cell.polygons.get(index).layer) {
+            cell.polygons.set_layer(index, *layer);
             any = true;
         }
     }
@@ -236,20 +274,20 @@ fn remap(cell: &mut Cell, map: &BTreeMap<Layer, Layer>, affects: LayerTarget) ->
     any
 }
 
-/// Removes what is not to be kept; returns the places of removed polygons and labels.
+/// Removes what is not to be kept; returns the indices of removed polygons and labels.
 fn retain_layers(cell: &mut Cell, affects: LayerTarget, keep: &impl Fn(Layer) -> bool) -> (Vec<usize>, Vec<usize>) {
-    let polygons = cell.outlines.retain(|polygon| keep(polygon.layer));
+    let polygons = cell.polygons.retain(|polygon| keep(polygon.layer));
     let mut labels = Vec::new();
     if affects == LayerTarget::All {
-        labels = (0..cell.labels.len()).filter(|place| !keep(cell.labels[*place].layer)).collect();
+        labels = (0..cell.labels.len()).filter(|index| !keep(cell.labels[*index].layer)).collect();
         cell.labels.retain(|label| keep(label.layer));
     }
     (polygons, labels)
 }
 
 fn simplify(cell: &mut Cell, tolerance: f64) -> bool {
-    let mut simple = super::outlines::Outlines::default();
-    for polygon in cell.outlines.iter() {
+    let mut simple = super::polygon_store::PolygonStore::default();
+    for polygon in cell.polygons.iter() {
         let points = simplified(polygon.points, tolerance);
         if points.len() < 3 {
             simple.push_view(polygon);
@@ -260,9 +298,9 @@ fn simplify(cell: &mut Cell, tolerance: f64) -> bool {
             simple.set_properties(simple.len() - 1, properties.clone());
         }
     }
-    let changed = simple.point_count() != cell.outlines.point_count();
+    let changed = simple.point_count() != cell.polygons.point_count();
     if changed {
-        cell.outlines = simple;
+        cell.polygons = simple;
     }
     changed
 }

@@ -1,10 +1,10 @@
-//! [`Group`]: several placed things handled as one.
+//! [`Group`]: several elements handled as one.
 
 use super::{Device, Label, Polygon, Reference};
 use crate::geom::{Point, Rect, Transform};
 use crate::place::{Align, Bounded, DeferredError, Transformable};
 
-/// Something that has a place in a cell.
+/// An element of a cell.
 #[derive(Debug, Clone, PartialEq)]
 #[expect(missing_docs, reason = "the variants hold what they are called")]
 pub enum Element {
@@ -13,9 +13,9 @@ pub enum Element {
     Label(Label),
 }
 
-/// Several placed things handled as one, in their order. `a + b` makes a group; a group in a group is taken apart.
+/// Several elements handled as one, in their order. `a + b` makes a group.
 ///
-/// For things that stand in an open cell already, see [`DeviceBuilder::group`](super::DeviceBuilder::group).
+/// For elements that are in an open cell already, see [`DeviceBuilder::group`](super::DeviceBuilder::group).
 ///
 /// ```
 /// # use phidl_core::prelude::*;
@@ -27,7 +27,7 @@ pub enum Element {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Group {
     members: Vec<Element>,
-    fault: Option<Box<DeferredError>>,
+    deferred: Option<Box<DeferredError>>,
 }
 
 impl Group {
@@ -37,11 +37,11 @@ impl Group {
         Self::default()
     }
 
-    /// Adds a thing, or the members of another group, at the end.
+    /// Adds an element, or the members of another group, at the end.
     pub fn add(&mut self, other: impl Into<Self>) -> &mut Self {
         let other = other.into();
         self.members.extend(other.members);
-        self.fault = self.fault.take().or(other.fault);
+        self.deferred = self.deferred.take().or(other.deferred);
         self
     }
 
@@ -62,8 +62,8 @@ impl Group {
         self.members.is_empty()
     }
 
-    pub(crate) fn fault(&self) -> Option<DeferredError> {
-        self.fault.as_deref().copied()
+    pub(crate) fn deferred(&self) -> Option<DeferredError> {
+        self.deferred.as_deref().copied()
     }
 }
 
@@ -78,7 +78,7 @@ impl IntoIterator for Group {
 
 impl FromIterator<Element> for Group {
     fn from_iter<I: IntoIterator<Item = Element>>(members: I) -> Self {
-        Self { members: members.into_iter().collect(), fault: None }
+        Self { members: members.into_iter().collect(), deferred: None }
     }
 }
 
@@ -113,8 +113,8 @@ impl Transformable for Group {
         self.members.iter_mut().for_each(|member| member.transform_mut(by));
     }
 
-    fn refuse(&mut self, fault: DeferredError) {
-        self.fault.get_or_insert(Box::new(fault));
+    fn defer(&mut self, error: DeferredError) {
+        self.deferred.get_or_insert(Box::new(error));
     }
 }
 
@@ -127,8 +127,8 @@ impl Align for Group {
         self.members[index].transform_mut(&Transform::translation(by));
     }
 
-    fn refuse_arrangement(&mut self, fault: DeferredError) {
-        self.refuse(fault);
+    fn defer_align_error(&mut self, error: DeferredError) {
+        self.defer(error);
     }
 }
 
@@ -151,11 +151,11 @@ impl Transformable for Element {
         }
     }
 
-    fn refuse(&mut self, fault: DeferredError) {
+    fn defer(&mut self, error: DeferredError) {
         match self {
-            Self::Reference(reference) => reference.refuse(fault),
-            Self::Polygon(polygon) => polygon.refuse(fault),
-            Self::Label(label) => label.refuse(fault),
+            Self::Reference(reference) => reference.defer(error),
+            Self::Polygon(polygon) => polygon.defer(error),
+            Self::Label(label) => label.defer(error),
         }
     }
 }
@@ -192,7 +192,7 @@ impl From<Label> for Element {
 
 impl From<Element> for Group {
     fn from(member: Element) -> Self {
-        Self { members: vec![member], fault: None }
+        Self { members: vec![member], deferred: None }
     }
 }
 

@@ -1,13 +1,13 @@
-//! [`Label`]: a text that names a place. It is not drawn on the mask.
+//! [`Label`]: a text at a position. It is not drawn on the mask.
 
 use super::{Group, Properties};
 use crate::geom::{Point, Rect, Transform};
 use crate::layer::Layer;
 use crate::place::{Bounded, DeferredError, Transformable};
 
-/// Which point of the text stands at the label's position.
+/// The point of the text that is at the label's position.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-#[expect(missing_docs, reason = "compass points need no words")]
+#[expect(missing_docs, reason = "compass points explain themselves")]
 pub enum Anchor {
     NorthWest,
     North,
@@ -21,7 +21,8 @@ pub enum Anchor {
     SouthEast,
 }
 
-/// A text at a position. Its box is that position; turning and mirroring turn and mirror the text as well.
+/// A text at a position. Its bounding box is that position. Rotating and mirroring rotate and mirror the text as well, as
+/// the reference to a cell with the label does.
 ///
 /// ```
 /// # use phidl_core::prelude::*;
@@ -30,16 +31,16 @@ pub enum Anchor {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Label {
-    /// What it says.
+    /// The text.
     pub text: String,
     /// Layer and texttype.
     pub layer: Layer,
-    /// Which point of the text stands at the position.
+    /// The point of the text that is at the position.
     pub anchor: Anchor,
-    /// Texts that a file keeps with it.
+    /// Numbered texts that a file keeps with it.
     pub properties: Properties,
     transform: Transform,
-    fault: Option<Box<DeferredError>>,
+    deferred: Option<Box<DeferredError>>,
 }
 
 impl Label {
@@ -51,7 +52,7 @@ impl Label {
             anchor: Anchor::Center,
             properties: Properties::new(),
             transform: Transform::translation(position),
-            fault: None,
+            deferred: None,
         }
     }
 
@@ -61,32 +62,32 @@ impl Label {
         Self { anchor, ..self }
     }
 
-    /// The same with another placement altogether.
+    /// The same with another transform.
     #[must_use]
     pub fn with_transform(self, transform: Transform) -> Self {
         Self { transform, ..self }
     }
 
-    /// Where it stands.
+    /// The position.
     #[must_use]
     pub fn position(&self) -> Point {
         self.transform.origin
     }
 
-    /// How far the text is turned (degrees, in `[0, 360)`).
+    /// The rotation of the text (degrees, in `[0, 360)`).
     #[must_use]
     pub fn rotation(&self) -> f64 {
         self.transform.rotation
     }
 
-    /// Position, turn, magnification and reflection in one.
+    /// Position, rotation, magnification and reflection.
     #[must_use]
     pub fn transform(&self) -> &Transform {
         &self.transform
     }
 
-    pub(crate) fn fault(&self) -> Option<DeferredError> {
-        self.fault.as_deref().copied()
+    pub(crate) fn deferred(&self) -> Option<DeferredError> {
+        self.deferred.as_deref().copied()
     }
 }
 
@@ -101,8 +102,8 @@ impl Transformable for Label {
         self.transform = self.transform.then(by);
     }
 
-    fn refuse(&mut self, fault: DeferredError) {
-        self.fault.get_or_insert(Box::new(fault));
+    fn defer(&mut self, error: DeferredError) {
+        self.deferred.get_or_insert(Box::new(error));
     }
 }
 

@@ -1,4 +1,4 @@
-//! Visiting each distinct cell of a hierarchy once, to read it or to make a changed copy.
+//! Each distinct cell of a hierarchy once, to read it or to make a changed copy.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 
@@ -16,13 +16,13 @@ impl Device {
         // Depth first, finishing children before parents; the reverse of that is the promised order. An explicit stack,
         // since a chain of cells can be deep.
         let mut stack = vec![(self, 0)];
-        seen.insert(self.address());
+        seen.insert(self.ptr_id());
         while let Some((device, next)) = stack.pop() {
             match device.references().get(next) {
                 None => finished.push(device.clone()),
                 Some(reference) => {
                     stack.push((device, next + 1));
-                    if seen.insert(reference.device().address()) {
+                    if seen.insert(reference.device().ptr_id()) {
                         stack.push((reference.device(), 0));
                     }
                 }
@@ -32,8 +32,8 @@ impl Device {
         finished
     }
 
-    /// The same hierarchy made of copies, each of which was changed once, placed cells before those that place them. The
-    /// originals stay as they are; a cell that is placed twice is one cell in the copy as well.
+    /// The same hierarchy of changed copies. `change` is called once for each distinct cell, placed cells before those that
+    /// place them. The originals do not change; a cell that is placed twice is one cell in the copy as well.
     ///
     /// ```
     /// # use phidl_core::prelude::*;
@@ -50,16 +50,16 @@ impl Device {
     /// ```
     ///
     /// # Errors
-    /// What `change` says.
+    /// The error of `change`.
     pub fn map_cells(&self, mut change: impl FnMut(&mut DeviceBuilder) -> Result<()>) -> Result<Device> {
         let mut copies: HashMap<usize, Device> = HashMap::new();
         for device in self.cells().iter().rev() {
             let mut copy = device.edit();
             retarget(&mut copy.cell, &copies);
             change(&mut copy)?;
-            copies.insert(device.address(), copy.build()?);
+            copies.insert(device.ptr_id(), copy.build()?);
         }
-        Ok(copies.remove(&self.address()).expect("invariant: the walk over the cells ends with this one"))
+        Ok(copies.remove(&self.ptr_id()).expect("invariant: the walk over the cells ends with this one"))
     }
 
     /// The info of every distinct cell of the hierarchy below this one, in the order of [`Device::cells`], each with
@@ -70,7 +70,7 @@ impl Device {
         below.map(|cell| (cell.clone(), cell.info().clone())).collect()
     }
 
-    /// Area per layer of everything drawn in the hierarchy (µm²); where polygons overlap, both count.
+    /// The area of all polygons of the hierarchy by layer (µm²); where polygons overlap, both count.
     #[must_use]
     pub fn area_by_layer(&self) -> BTreeMap<Layer, f64> {
         let mut areas: HashMap<usize, BTreeMap<Layer, f64>> = HashMap::new();
@@ -81,16 +81,16 @@ impl Device {
             }
             for reference in cell.references() {
                 let factor = reference.transform().magnification.powi(2) * reference.count() as f64;
-                for (layer, below) in &areas[&reference.device().address()] {
+                for (layer, below) in &areas[&reference.device().ptr_id()] {
                     *area.entry(*layer).or_default() += below * factor;
                 }
             }
-            areas.insert(cell.address(), area);
+            areas.insert(cell.ptr_id(), area);
         }
-        areas.remove(&self.address()).unwrap_or_default()
+        areas.remove(&self.ptr_id()).unwrap_or_default()
     }
 
-    /// Area of everything drawn in the hierarchy (µm²); where polygons overlap, both count.
+    /// The area of all polygons of the hierarchy (µm²); where polygons overlap, both count.
     #[must_use]
     pub fn area(&self) -> f64 {
         self.area_by_layer().values().sum()
@@ -98,20 +98,23 @@ impl Device {
 }
 
 /// Changes a cell and all cells below it, each distinct one once, into copies; `change` says whether it changed anything.
-/// What neither changes nor places anything changed stays the same cell.
+/// A cell that neither changes nor places a changed cell stays the same object.
 pub(super) fn rewrite_below(cell: &mut Cell, mut change: impl FnMut(&mut Cell) -> bool) {
     let roots: Vec<Device> = cell.references.iter().map(|reference| reference.device().clone()).collect();
     let mut changed: HashMap<usize, Device> = HashMap::new();
     for root in roots {
+        if changed.contains_key(&root.ptr_id()) {
+            continue;
+        }
         for device in root.cells().iter().rev() {
-            if changed.contains_key(&device.address()) {
+            if changed.contains_key(&device.ptr_id()) {
                 continue;
             }
             let mut copy = Cell { source: None, ..device.cell().clone() };
             let below = retarget(&mut copy, &changed);
             let own = change(&mut copy);
             let result = if below || own { Device::from_cell(copy) } else { device.clone() };
-            changed.insert(device.address(), result);
+            changed.insert(device.ptr_id(), result);
         }
     }
     retarget(cell, &changed);
@@ -122,7 +125,7 @@ pub(super) fn rewrite_below(cell: &mut Cell, mut change: impl FnMut(&mut Cell) -
 fn retarget(cell: &mut Cell, changed: &HashMap<usize, Device>) -> bool {
     let mut any = false;
     for reference in &mut cell.references {
-        let Some(device) = changed.get(&reference.device().address()) else { continue };
+        let Some(device) = changed.get(&reference.device().ptr_id()) else { continue };
         if !device.same_cell(reference.device()) {
             reference.set_device(device.clone());
             any = true;

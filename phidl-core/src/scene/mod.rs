@@ -1,39 +1,50 @@
-//! The scene graph: open cells, finished cells, and what stands in them.
+//! The scene graph: open cells, finished cells, and their elements.
 //!
-//! A [`DeviceBuilder`] is the open cell and the only thing that can be edited; [`DeviceBuilder::build`] makes a
-//! [`Device`] of it, which never changes again. A device can only refer to finished devices, so a cycle of cells cannot
-//! be built, and what hangs below a cell (its box, its hash) can be remembered in it.
+//! A [`DeviceBuilder`] is the open cell, the only one that can be edited; [`DeviceBuilder::build`] turns it into a
+//! [`Device`], which never changes again. A device can only refer to finished devices. So a cycle of cells cannot be
+//! built, and properties of a hierarchy (its bounding box, its hash) can be cached in its top cell.
 
+mod addable;
 mod builder;
-mod by_name;
 mod cell;
+mod cell_id;
 mod device;
 mod edit;
+mod elements;
+mod extent;
+mod flat_counts;
 mod flatten;
 mod group;
+mod key_space;
 mod keys;
 mod label;
+mod leaves_first;
 mod map_cells;
+mod named_list;
 mod open;
-mod outlines;
 #[cfg(feature = "parallel")]
 mod parallel;
 mod polygon;
+mod polygon_store;
+mod ports;
 mod reference;
 mod selection;
 mod source;
 mod walk;
 
-pub use builder::{Addable, DeviceBuilder};
+pub use addable::Addable;
+pub use builder::DeviceBuilder;
 pub use device::Device;
 pub use edit::LayerTarget;
+pub use extent::ExtentError;
+pub use flat_counts::FLAT_LIMIT;
 pub use group::{Element, Group};
 pub use keys::{Key, LabelKey, PolygonKey, ReferenceKey};
 pub use label::{Anchor, Label};
-pub use outlines::PolygonView;
 pub use polygon::{Polygon, Properties};
+pub use polygon_store::PolygonView;
 pub use reference::{Array, Reference};
-pub use selection::Selection;
+pub use selection::{Keys, Selection};
 pub use source::Source;
 pub use walk::{FlatPolygon, FlatPolygons, Instance, Instances};
 

@@ -1,7 +1,7 @@
-//! [`OpenCell`]: a cell that can be edited because nobody shares it yet.
+//! [`OpenCell`]: a cell with one owner, which can be edited.
 //!
-//! It lies where it will lie when it is finished, so that finishing a cell moves nothing: a cell is larger than most
-//! shapes that are drawn in it.
+//! It is allocated at its final address, so that finishing a cell moves nothing: a cell is larger than most shapes that
+//! are drawn in it.
 
 use std::ops::{Deref, DerefMut};
 

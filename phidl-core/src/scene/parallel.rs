@@ -1,68 +1,94 @@
 //! Expanding a hierarchy on all cores.
 //!
-//! Every thread fills its own stretch of the result in place: it looks up once which placed cell the stretch begins in
-//! (sums of what lies before each reference make that a search per level), and streams from there. The result is the
-//! sequential one, whatever the stretches. Gathering pieces per thread and joining them would move every point twice.
+//! Every thread fills its own range of the result in place. It finds the placed cell in which the range begins (prefix sums
+//! over the references make that one search per level), and iterates from there. The result is the sequential one for
+//! every division into ranges.
+//!
+//! Not tasks per reference with slices of a zeroed buffer, nor buffers per thread that are joined: both are shorter, and
+//! both write every point twice.
 
 use std::collections::HashMap;
 
 use rayon::prelude::*;
 
 use super::Device;
-use super::flatten::Amount;
-use super::outlines::{Outlines, Span};
+use super::flat_counts::FlatCounts;
+use super::polygon_store::{PolygonStore, StoreEntry};
 use super::walk::Instances;
 use crate::geom::{Matrix, Point, Transform};
 
 /// Below this number of points, threads cost more than they save.
-const WORTH_IT: usize = 100_000;
+const WORTH_IT: u64 = 100_000;
 
-/// Whether a hierarchy of so much is expanded in parallel.
-pub(super) fn is_worth_it(total: Amount) -> bool {
+/// Whether a hierarchy of this size is expanded in parallel.
+pub(super) fn is_worth_it(total: FlatCounts) -> bool {
     total.points > WORTH_IT
 }
 
-/// All polygons of a hierarchy, without their properties.
-pub(super) fn all_outlines(device: &Device, amounts: &HashMap<usize, Amount>) -> Outlines {
-    let plan = Plan::new(device, amounts);
-    let total = amounts[&device.address()];
+/// All polygons of a hierarchy whose size fits into memory, without their properties.
+pub(super) fn all_polygons(device: &Device, counts: &HashMap<usize, FlatCounts>) -> PolygonStore {
+    let plan = Plan::new(device, counts);
+    let total = plan.sizes[&device.ptr_id()];
     let mut points = Vec::new();
     (0..total.points)
         .into_par_iter()
-        .map_init(|| Reader::new(&plan, |a| a.points), |reader, index| reader.point(index))
+        .map_init(|| Reader::new(&plan, |size| size.points), |reader, index| reader.point(index))
         .collect_into_vec(&mut points);
-    let mut spans = Vec::new();
+    let mut entries = Vec::new();
     (0..total.polygons)
         .into_par_iter()
-        .map_init(|| Reader::new(&plan, |a| a.polygons), |reader, index| reader.span(index))
-        .collect_into_vec(&mut spans);
-    Outlines::from_parts(points, spans)
+        .map_init(|| Reader::new(&plan, |size| size.polygons), |reader, index| reader.entry(index))
+        .collect_into_vec(&mut entries);
+    PolygonStore::from_parts(points, entries)
 }
 
-/// A hierarchy with the sums that find any of its polygons and points.
-struct Plan<'a> {
-    root: &'a Device,
-    amounts: &'a HashMap<usize, Amount>,
-    /// By a cell's address: what is drawn before each of its references, counted from the cell's own beginning.
-    before: HashMap<usize, Vec<Amount>>,
+/// A number of polygons and of points: the size of a part of the result, or what precedes it.
+#[derive(Debug, Clone, Copy, Default)]
+struct Size {
+    polygons: usize,
+    points: usize,
 }
 
-impl<'a> Plan<'a> {
-    fn new(root: &'a Device, amounts: &'a HashMap<usize, Amount>) -> Self {
-        let before = root.cells().iter().map(|cell| (cell.address(), sums_before(cell, amounts))).collect();
-        Self { root, amounts, before }
+impl Size {
+    fn own(polygons: &PolygonStore) -> Self {
+        Self { polygons: polygons.len(), points: polygons.point_count() }
+    }
+
+    fn from_counts(counts: FlatCounts) -> Self {
+        let narrow = |count: u64| usize::try_from(count).expect("invariant: the size was checked before");
+        Self { polygons: narrow(counts.polygons), points: narrow(counts.points) }
+    }
+
+    fn add(&mut self, size: Self, times: usize) {
+        self.polygons += size.polygons * times;
+        self.points += size.points * times;
     }
 }
 
-fn sums_before(cell: &Device, amounts: &HashMap<usize, Amount>) -> Vec<Amount> {
-    let outlines = &cell.cell().outlines;
-    let mut sum = Amount { polygons: outlines.len(), points: outlines.point_count() };
+/// A hierarchy with the prefix sums that find any of its polygons and points. Maps are by [`Device::ptr_id`].
+struct Plan<'a> {
+    root: &'a Device,
+    /// The size of every cell with what is below it.
+    sizes: HashMap<usize, Size>,
+    /// What precedes each reference of a cell, counted from the beginning of the cell.
+    before: HashMap<usize, Vec<Size>>,
+}
+
+impl<'a> Plan<'a> {
+    fn new(root: &'a Device, counts: &HashMap<usize, FlatCounts>) -> Self {
+        let cells = root.cells();
+        let sizes = cells.iter().map(|cell| (cell.ptr_id(), Size::from_counts(counts[&cell.ptr_id()]))).collect();
+        let before = cells.iter().map(|cell| (cell.ptr_id(), prefix_sums(cell, &sizes))).collect();
+        Self { root, sizes, before }
+    }
+}
+
+fn prefix_sums(cell: &Device, sizes: &HashMap<usize, Size>) -> Vec<Size> {
+    let mut sum = Size::own(&cell.cell().polygons);
     let mut sums = Vec::with_capacity(cell.references().len());
     for reference in cell.references() {
         sums.push(sum);
-        let below = amounts[&reference.device().address()];
-        sum.polygons += below.polygons * reference.count();
-        sum.points += below.points * reference.count();
+        sum.add(sizes[&reference.device().ptr_id()], reference.count());
     }
     sums
 }
@@ -70,58 +96,57 @@ fn sums_before(cell: &Device, amounts: &HashMap<usize, Amount>) -> Vec<Amount> {
 /// Reads the expanded hierarchy from any index on; the next index costs least.
 struct Reader<'p, 'a> {
     plan: &'p Plan<'a>,
-    /// Which of the two amounts an index counts.
-    measure: fn(&Amount) -> usize,
+    /// Which of the two numbers an index counts.
+    measure: fn(&Size) -> usize,
     walk: Instances<'a>,
-    outlines: Option<&'a Outlines>,
+    polygons: Option<&'a PolygonStore>,
     matrix: Matrix,
-    /// Where the current placed cell begins in the result.
-    base: Amount,
+    /// What precedes the current placed cell in the result.
+    base: Size,
     /// The next index.
     next: usize,
 }
 
 impl<'p, 'a> Reader<'p, 'a> {
-    fn new(plan: &'p Plan<'a>, measure: fn(&Amount) -> usize) -> Self {
+    fn new(plan: &'p Plan<'a>, measure: fn(&Size) -> usize) -> Self {
         Self {
             plan,
             measure,
-            walk: Instances::nowhere(),
-            outlines: None,
+            walk: Instances::exhausted(),
+            polygons: None,
             matrix: Transform::IDENTITY.matrix(),
-            base: Amount::default(),
+            base: Size::default(),
             next: 0,
         }
     }
 
     fn point(&mut self, index: usize) -> Point {
-        let (outlines, at) = self.go_to(index);
-        self.matrix.apply(outlines.all_points()[at])
+        let (polygons, at) = self.go_to(index);
+        self.matrix.apply(polygons.all_points()[at])
     }
 
-    fn span(&mut self, index: usize) -> Span {
-        let (outlines, at) = self.go_to(index);
-        let span = outlines.span(at);
-        Span { end: self.base.points + span.end, ..span }
+    fn entry(&mut self, index: usize) -> StoreEntry {
+        let (polygons, at) = self.go_to(index);
+        let entry = polygons.entry(at);
+        StoreEntry { end: self.base.points + entry.end, ..entry }
     }
 
-    /// The cell that an index falls into, and where in it.
-    fn go_to(&mut self, index: usize) -> (&'a Outlines, usize) {
-        if self.outlines.is_none() || index != self.next {
+    /// The placed cell of an index, and the index within it.
+    fn go_to(&mut self, index: usize) -> (&'a PolygonStore, usize) {
+        if self.polygons.is_none() || index != self.next {
             self.seek(index);
         }
         self.next = index + 1;
         loop {
-            let outlines = self.outlines.expect("invariant: an index within the total lies in some placed cell");
+            let polygons = self.polygons.expect("invariant: an index within the total lies in some placed cell");
             let at = index - (self.measure)(&self.base);
-            let own = own_amount(outlines);
+            let own = Size::own(polygons);
             if at < (self.measure)(&own) {
-                return (outlines, at);
+                return (polygons, at);
             }
-            self.base.points += own.points;
-            self.base.polygons += own.polygons;
+            self.base.add(own, 1);
             let instance = self.walk.next();
-            self.outlines = instance.map(|i| &i.device.cell().outlines);
+            self.polygons = instance.map(|i| &i.device.cell().polygons);
             self.matrix = instance.map_or(self.matrix, |i| i.transform.matrix());
         }
     }
@@ -129,34 +154,30 @@ impl<'p, 'a> Reader<'p, 'a> {
     fn seek(&mut self, index: usize) {
         let mut device = self.plan.root;
         let mut transform = Transform::IDENTITY;
-        self.walk = Instances::nowhere();
-        self.base = Amount::default();
+        self.walk = Instances::exhausted();
+        self.base = Size::default();
         loop {
             let inside = index - (self.measure)(&self.base);
-            let before = &self.plan.before[&device.address()];
-            if inside < (self.measure)(&own_amount(&device.cell().outlines)) {
+            let before = &self.plan.before[&device.ptr_id()];
+            if inside < (self.measure)(&Size::own(&device.cell().polygons)) {
                 break;
             }
             // The last reference that begins at or before the index; empty ones begin where the next does.
-            let number = before.partition_point(|amount| (self.measure)(amount) <= inside) - 1;
+            let number = before.partition_point(|size| (self.measure)(size) <= inside) - 1;
             let reference = &device.references()[number];
-            let below = self.plan.amounts[&reference.device().address()];
+            let below = self.plan.sizes[&reference.device().ptr_id()];
             let element = (inside - (self.measure)(&before[number])) / (self.measure)(&below);
-            self.base.points += before[number].points + element * below.points;
-            self.base.polygons += before[number].polygons + element * below.polygons;
+            self.base.add(before[number], 1);
+            self.base.add(below, element);
             let (column, row) = position(element, reference.array().map_or(1, |a| a.rows));
             self.walk.push_after(device, transform, number, (column, row));
             transform = reference.element(column, row).then(&transform);
             device = reference.device();
         }
         self.walk.push_before_children(device, transform);
-        self.outlines = Some(&device.cell().outlines);
+        self.polygons = Some(&device.cell().polygons);
         self.matrix = transform.matrix();
     }
-}
-
-fn own_amount(outlines: &Outlines) -> Amount {
-    Amount { polygons: outlines.len(), points: outlines.point_count() }
 }
 
 /// Column and row of an element, counted column by column.
@@ -170,7 +191,6 @@ fn position(element: usize, rows: u32) -> (u32, u32) {
 mod tests {
     use super::*;
     use crate::place::Movable;
-    use crate::scene::flatten::amounts;
 
     fn dot(size: i32) -> Device {
         let mut d = Device::builder("dot");
@@ -180,7 +200,7 @@ mod tests {
         d.build().unwrap()
     }
 
-    /// Own polygons, empty cells, arrays, and depth: everything that an index can fall into.
+    /// Own polygons, empty cells, arrays, and depth.
     fn hierarchy() -> Device {
         let empty = Device::builder("empty").build().unwrap();
         let mut middle = Device::builder("middle");
@@ -200,22 +220,20 @@ mod tests {
     #[test]
     fn every_index_reads_what_the_sequential_walk_gives() {
         let top = hierarchy();
-        let amounts = amounts(&top);
-        let plan = Plan::new(&top, &amounts);
+        let plan = Plan::new(&top, &FlatCounts::of_cells(&top));
         let expected: Vec<Point> = top.flat_polygons().flat_map(|p| p.points().collect::<Vec<_>>()).collect();
-        let total = amounts[&top.address()];
-        assert_eq!(total.points, expected.len());
+        assert_eq!(plan.sizes[&top.ptr_id()].points, expected.len());
         for (index, point) in expected.iter().enumerate() {
-            assert_eq!(Reader::new(&plan, |a| a.points).point(index), *point, "{index}");
+            assert_eq!(Reader::new(&plan, |size| size.points).point(index), *point, "{index}");
         }
-        let mut reader = Reader::new(&plan, |a| a.points);
+        let mut reader = Reader::new(&plan, |size| size.points);
         assert!((0..expected.len()).all(|index| reader.point(index) == expected[index]));
     }
 
     #[test]
     fn the_parallel_result_is_the_sequential_one() {
         let top = hierarchy();
-        let flat = all_outlines(&top, &amounts(&top));
+        let flat = all_polygons(&top, &FlatCounts::of_cells(&top));
         let expected: Vec<_> = top.flat_polygons().map(|p| (p.layer, p.points().collect::<Vec<_>>())).collect();
         let got: Vec<_> = flat.iter().map(|p| (Some(p.layer), p.points.to_vec())).collect();
         assert_eq!(got, expected);

@@ -1,33 +1,33 @@
-//! [`Polygon`]: an outline on its own, before it belongs to a cell.
+//! [`Polygon`]: an outline that is not in a cell yet.
 
 use std::collections::BTreeMap;
 
 use super::Group;
 use crate::geom::{Outline, Point, Rect, Transform, signed_area, simplified};
 use crate::layer::Layers;
-use crate::place::{Bounded, DeferredError, Refusal, Transformable};
+use crate::place::{Bounded, DeferredError, Reason, Transformable};
 
 /// Numbered texts that a file keeps with an element (GDSII's property attributes).
 pub type Properties = BTreeMap<u16, String>;
 
-/// An outline with the layers it is drawn on: a plain value to move and relate before it is added to a cell.
+/// An outline with the layers it is drawn on: an ordinary value to move and relate before it is added to a cell.
 ///
 /// Points are kept as given: order, direction, first point, and a repeated closing point.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Polygon {
     /// The corners, in order.
     pub points: Vec<Point>,
-    /// Where it is drawn.
+    /// The layers it is drawn on.
     pub layers: Layers,
-    /// Texts that a file keeps with it.
+    /// Numbered texts that a file keeps with it.
     pub properties: Properties,
-    pub(crate) fault: Option<Box<DeferredError>>,
+    pub(crate) deferred: Option<Box<DeferredError>>,
 }
 
 impl Polygon {
     /// A polygon from its corners (pairs or two coordinate lists) and its layers.
     pub fn new(outline: impl Outline, layers: impl Into<Layers>) -> Self {
-        Self { points: outline.into_points(), layers: layers.into(), properties: Properties::new(), fault: None }
+        Self { points: outline.into_points(), layers: layers.into(), properties: Properties::new(), deferred: None }
     }
 
     /// The same with one more property.
@@ -43,10 +43,10 @@ impl Polygon {
         signed_area(&self.points).abs()
     }
 
-    /// Takes out the points that are not needed to stay within `tolerance` (µm); see [`simplified`]. An outline that
+    /// Removes the points that are not needed to stay within `tolerance` (µm); see [`simplified`]. An outline that
     /// would lose its third point stays as it is.
     ///
-    /// A tolerance that is negative or not finite changes nothing, and comes back as an error when the polygon is added.
+    /// A tolerance that is negative or not finite changes nothing and is a deferred error.
     pub fn simplify(&mut self, tolerance: impl Into<f64>) -> &mut Self {
         let tolerance = tolerance.into();
         if tolerance.is_finite() && tolerance >= 0.0 {
@@ -55,7 +55,7 @@ impl Polygon {
                 self.points = simple;
             }
         } else {
-            self.refuse(DeferredError { word: "simplify", refusal: Refusal::BadTolerance(tolerance) });
+            self.defer(DeferredError { method: "simplify", reason: Reason::BadTolerance(tolerance) });
         }
         self
     }
@@ -73,8 +73,8 @@ impl Transformable for Polygon {
         self.points.iter_mut().for_each(|p| *p = matrix.apply(*p));
     }
 
-    fn refuse(&mut self, fault: DeferredError) {
-        self.fault.get_or_insert(Box::new(fault));
+    fn defer(&mut self, error: DeferredError) {
+        self.deferred.get_or_insert(Box::new(error));
     }
 }
 

@@ -7,7 +7,7 @@ use crate::num::angle;
 use crate::place::{Bounded, DeferredError, Movable, Transformable};
 use crate::port::Port;
 
-/// One placement of a [`Device`], or a regular array of placements: a plain value. Make it with [`Device::place`] or
+/// One placement of a [`Device`], or a regular array of placements: an ordinary value. Make it with [`Device::place`] or
 /// [`Device::array`], move it, relate it, connect it, then add it to an open cell.
 ///
 /// ```
@@ -29,18 +29,18 @@ pub struct Reference {
     device: Device,
     transform: Transform,
     array: Option<Box<Array>>,
-    /// Texts that a file keeps with it.
+    /// Numbered texts that a file keeps with it.
     pub properties: Properties,
-    fault: Option<Box<DeferredError>>,
+    deferred: Option<Box<DeferredError>>,
 }
 
-/// The lattice of an array. Steps are measured in the array's own frame: they are mirrored and turned with the
-/// reference, but not magnified (as in GDSII, where an array states its extent).
+/// The lattice of an array. Steps are in the array's own frame: the reference mirrors and rotates them but does not
+/// magnify them (as in GDSII, where an array states its extent).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Array {
-    /// How many columns.
+    /// The number of columns.
     pub columns: u32,
-    /// How many rows.
+    /// The number of rows.
     pub rows: u32,
     /// From one column to the next (µm).
     pub column_step: Point,
@@ -55,7 +55,7 @@ impl Array {
         self.column_step * f64::from(column) + self.row_step * f64::from(row)
     }
 
-    /// How many elements there are.
+    /// The number of elements.
     #[must_use]
     pub fn count(&self) -> usize {
         self.columns as usize * self.rows as usize
@@ -76,7 +76,7 @@ impl Reference {
     /// A placement of a cell.
     #[must_use]
     pub fn new(device: Device, transform: Transform) -> Self {
-        Self { device, transform, array: None, properties: Properties::new(), fault: None }
+        Self { device, transform, array: None, properties: Properties::new(), deferred: None }
     }
 
     /// The same placement repeated on a lattice.
@@ -105,14 +105,14 @@ impl Reference {
         Self { device, ..self }
     }
 
-    /// The same reference with another placement altogether; the steps of an array stay as they are.
+    /// The same reference with another transform; the steps of an array do not change.
     #[must_use]
     pub fn with_transform(self, transform: Transform) -> Self {
         let rotation = angle::normalized(transform.rotation);
         Self { transform: Transform { rotation, ..transform }, ..self }
     }
 
-    /// Where it is placed; of an array, its first element.
+    /// The transform; of an array, that of its first element.
     #[must_use]
     pub fn transform(&self) -> &Transform {
         &self.transform
@@ -124,13 +124,13 @@ impl Reference {
         self.array.as_deref()
     }
 
-    /// How many times the cell is placed.
+    /// The number of placements of the cell.
     #[must_use]
     pub fn count(&self) -> usize {
         self.array().map_or(1, Array::count)
     }
 
-    /// The place of one element of an array; (0, 0) is that of a single placement.
+    /// The transform of one element of an array; (0, 0) is that of a single placement.
     #[must_use]
     pub fn element(&self, column: u32, row: u32) -> Transform {
         match self.array() {
@@ -139,7 +139,7 @@ impl Reference {
         }
     }
 
-    /// The place of every element: columns outside, rows inside.
+    /// The transform of every element: columns outside, rows inside.
     pub fn elements(&self) -> impl Iterator<Item = Transform> + '_ {
         let array = self.array().copied().unwrap_or(Array {
             columns: 1,
@@ -150,7 +150,17 @@ impl Reference {
         array.cells().map(move |(column, row)| self.stepped(array.step(column, row)))
     }
 
-    /// A step in the array's own frame, as a displacement where the reference stands.
+    /// The transforms of the elements in the corners of the lattice; of a single placement, its own.
+    pub(crate) fn corner_elements(&self) -> Vec<Transform> {
+        let Some(array) = self.array() else { return vec![self.transform] };
+        if array.count() == 0 {
+            return Vec::new();
+        }
+        let (column, row) = (array.columns - 1, array.rows - 1);
+        [(0, 0), (column, 0), (0, row), (column, row)].map(|(c, r)| self.element(c, r)).to_vec()
+    }
+
+    /// A step in the array's own frame, as a displacement in the coordinates of the reference.
     #[must_use]
     pub fn placed_step(&self, step: Point) -> Point {
         Transform { magnification: 1.0, ..self.transform }.apply_vector(step)
@@ -160,43 +170,38 @@ impl Reference {
         Transform { origin: self.transform.origin + self.placed_step(step), ..self.transform }
     }
 
-    /// A port of the placed cell, where it is now.
+    /// A port of the placed cell, in the coordinates of the reference.
     ///
     /// # Errors
-    /// [`Error::Unknown`] with the names that are there; [`Error::Refused`] for an array, whose elements have a port
+    /// [`Error::Unknown`] with the names that exist; [`Error::Invalid`] for an array, whose elements have a port
     /// of this name each (ask [`Reference::port_at`]).
     pub fn port(&self, name: &str) -> Result<Port> {
         if self.array.is_some() {
-            return Err(Error::Refused {
-                device: self.device.name().into(),
-                what: format!("port \"{name}\"").into(),
-                value: "asked of an array".into(),
-                rule: "be asked of one element, with port_at".into(),
-            });
+            let problem =
+                format!("every element of the array has a port \"{name}\"; port_at takes one by column and row");
+            return Err(Error::invalid(self.device.name(), problem));
         }
         self.port_at(name, 0, 0)
     }
 
-    /// A port of one element of an array, where it is now.
+    /// A port of one element of an array, in the coordinates of the reference.
     ///
     /// # Errors
-    /// [`Error::Unknown`] with the names that are there; [`Error::Refused`] if there is no such column or row.
+    /// [`Error::Unknown`] with the names that exist; [`Error::Invalid`] if there is no such column or row.
     pub fn port_at(&self, name: &str, column: u32, row: u32) -> Result<Port> {
         let (columns, rows) = self.array().map_or((1, 1), |a| (a.columns, a.rows));
         if column >= columns || row >= rows {
-            return Err(Error::Refused {
-                device: self.device.name().into(),
-                what: "array element".into(),
-                value: format!("column {column}, row {row}").into(),
-                rule: format!("be inside {columns} columns and {rows} rows").into(),
-            });
+            let problem = format!(
+                "the array has no element in column {column}, row {row}: its size is {columns} x {rows}, counted from 0"
+            );
+            return Err(Error::invalid(self.device.name(), problem));
         }
         let mut port = self.device.port(name)?.clone();
         port.transform_mut(&self.element(column, row));
         Ok(port)
     }
 
-    /// All ports of the placed cell, where they are now; of an array, those of its first element.
+    /// All ports of the placed cell, in the coordinates of the reference; of an array, those of its first element.
     pub fn ports(&self) -> impl Iterator<Item = Port> + '_ {
         self.device.ports().map(|port| {
             let mut port = port.clone();
@@ -205,10 +210,10 @@ impl Reference {
         })
     }
 
-    /// Turns and moves this reference until its port `own` meets `target` face to face.
+    /// Rotates and moves this reference until its port `own` meets `target` face to face.
     ///
     /// # Errors
-    /// As for [`Reference::port`], and [`Error::NotFinite`] if `target` is nowhere.
+    /// As for [`Reference::port`], and [`Error::NotFinite`] if `target` is not finite.
     pub fn connect(&mut self, own: &str, target: impl AsRef<Port>) -> Result<&mut Self> {
         self.connect_overlapping(own, target, 0.0)
     }
@@ -229,31 +234,31 @@ impl Reference {
         if !overlap.is_finite() {
             return Err(Error::NotFinite {
                 device: self.device.name().into(),
-                what: "overlap of connect".into(),
+                what: "the overlap of connect".into(),
                 value: overlap.to_string().into(),
             });
         }
         let port = self.port(own)?;
         let turn = angle::normalized(target.orientation() + 180.0 - port.orientation());
         self.rotate_about(turn, port.midpoint());
-        // The turn may leave noise on the port; take its place again, so that the midpoints coincide.
+        // The rotation may leave noise on the port; its midpoint is read again, so that both midpoints coincide.
         let turned = self.port(own)?.midpoint();
         self.move_by(target.midpoint() - turned - target.normal() * overlap);
         Ok(self)
     }
 
-    /// The reference that stands in the placed cell under an alias, where it is now: a value, not a part of this cell.
+    /// The reference under an alias of the placed cell, in the coordinates of this reference: a value, not an element.
     ///
     /// # Errors
-    /// [`Error::Unknown`] with the aliases that are there.
+    /// [`Error::Unknown`] with the aliases that exist.
     pub fn get(&self, alias: &str) -> Result<Reference> {
         let mut inner = self.device.get(alias)?.clone();
         inner.transform_mut(&self.transform);
         Ok(inner)
     }
 
-    /// A cell that holds this placement alone, named after the placed cell, with its ports where they are now: for what
-    /// takes a device.
+    /// A cell with this reference as its only element, named after the placed cell, with its ports: for functions that take
+    /// a device.
     ///
     /// ```
     /// # use phidl_core::prelude::*;
@@ -266,8 +271,8 @@ impl Reference {
     /// ```
     ///
     /// # Errors
-    /// As for [`DeviceBuilder::add`](crate::scene::DeviceBuilder::add): a placement that is not finite, or that refused
-    /// a word.
+    /// As for [`DeviceBuilder::add`](crate::scene::DeviceBuilder::add): a transform that is not finite, or a
+    /// deferred error.
     pub fn to_device(&self) -> Result<Device> {
         let mut d = Device::builder(self.device.name());
         d.add(self.clone());
@@ -275,19 +280,19 @@ impl Reference {
         d.build()
     }
 
-    /// Refuses what cannot be placed, in the name of a cell.
+    /// Refuses an invalid reference in the name of a cell.
     pub(crate) fn check(&self, device: &str) -> Result<()> {
         let what = || format!("reference to \"{}\"", self.device.name());
-        if let Some(fault) = &self.fault {
-            return Err(fault.into_error(device, &what()));
+        if let Some(error) = &self.deferred {
+            return Err(error.into_error(device, &format!("the {}", what())));
         }
         if self.count() == 0 {
-            return Err(Error::Refused {
-                device: device.into(),
-                what: format!("array of the {}", what()).into(),
-                value: "without columns or rows".into(),
-                rule: "have at least one of each".into(),
-            });
+            let (columns, rows) = self.array().map_or((1, 1), |a| (a.columns, a.rows));
+            let problem = format!(
+                "the array {} has {columns} columns and {rows} rows, but it needs at least one of each",
+                what()
+            );
+            return Err(Error::invalid(device, problem));
         }
         let finite = self.transform.is_finite() && self.array().is_none_or(Array::is_finite);
         if finite {
@@ -295,7 +300,7 @@ impl Reference {
         }
         Err(Error::NotFinite {
             device: device.into(),
-            what: format!("placement of the {}", what()).into(),
+            what: format!("the placement of the {}", what()).into(),
             value: format!("{:?} {:?}", self.transform, self.array()).into(),
         })
     }
@@ -318,7 +323,7 @@ impl Bounded for Reference {
         if array.count() == 0 {
             return None;
         }
-        // Displaced copies of one box: the lattice's corners decide.
+        // Displaced copies of one box: the corners of the lattice decide.
         let (column, row) = (array.columns - 1, array.rows - 1);
         let corners = [(0, 0), (column, 0), (0, row), (column, row)];
         Rect::union_all(corners.map(|(column, row)| Some(single.shifted(self.placed_step(array.step(column, row))))))
@@ -334,8 +339,8 @@ impl Transformable for Reference {
         }
     }
 
-    fn refuse(&mut self, fault: DeferredError) {
-        self.fault.get_or_insert(Box::new(fault));
+    fn defer(&mut self, error: DeferredError) {
+        self.deferred.get_or_insert(Box::new(error));
     }
 }
 

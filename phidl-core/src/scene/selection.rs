@@ -1,10 +1,39 @@
-//! [`Selection`]: some of the things in an open cell, handled as one.
+//! [`Selection`]: some elements of an open cell, handled as one.
 
-use super::{DeviceBuilder, Key};
+use super::{DeviceBuilder, Key, LabelKey, PolygonKey, ReferenceKey};
+use crate::error::{Error, Result};
 use crate::geom::{Point, Rect, Transform};
-use crate::place::{Align, Bounded, DeferredError, Transformable};
+use crate::place::{Align, Bounded, DeferredError, Reason, Transformable};
 
-/// Some things in an open cell, handled as one: they move together, or are aligned and distributed.
+/// Keys of elements: one key, or a list of keys.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a key of an open cell, nor a list of keys",
+    note = "`add` returns the key of the element that it adds"
+)]
+pub trait Keys {
+    /// The keys, in order.
+    fn into_keys(self) -> Vec<Key>;
+}
+
+impl<I: IntoIterator<Item: Into<Key>>> Keys for I {
+    fn into_keys(self) -> Vec<Key> {
+        self.into_iter().map(Into::into).collect()
+    }
+}
+
+macro_rules! single_keys {
+    ($($key:ty),*) => {$(
+        impl Keys for $key {
+            fn into_keys(self) -> Vec<Key> {
+                vec![self.into()]
+            }
+        }
+    )*};
+}
+
+single_keys!(Key, ReferenceKey, PolygonKey, LabelKey);
+
+/// Some elements of an open cell, handled as one: they move together, or are aligned and distributed.
 ///
 /// ```
 /// # use phidl_core::prelude::*;
@@ -17,6 +46,8 @@ use crate::place::{Align, Bounded, DeferredError, Transformable};
 /// assert_eq!(d[keys[2]].transform().origin, Point::new(0.0, 10.0));
 /// # Ok::<(), phidl_core::Error>(())
 /// ```
+///
+/// An invalid call is a deferred error of the open cell.
 #[derive(Debug)]
 pub struct Selection<'a> {
     cell: &'a mut DeviceBuilder,
@@ -24,48 +55,42 @@ pub struct Selection<'a> {
 }
 
 impl DeviceBuilder {
-    /// Some things in this cell, handled as one. A key that finds nothing comes back as the error of the next fallible
-    /// call.
-    pub fn group<K: Into<Key>>(&mut self, keys: impl IntoIterator<Item = K>) -> Selection<'_> {
-        let mut members = Selection { cell: self, keys: Vec::new() };
-        for key in keys {
-            let key = key.into();
-            match members.bbox_of(key) {
-                // A key given twice moves its thing once.
-                Ok(_) if members.keys.contains(&key) => {}
-                Ok(_) => members.keys.push(key),
-                Err(error) => members.cell.keep(error),
+    /// Some elements of this cell, handled as one. A key given twice counts once; a key that finds nothing or belongs to
+    /// another cell is a deferred error.
+    pub fn group(&mut self, keys: impl Keys) -> Selection<'_> {
+        let mut seen = std::collections::HashSet::new();
+        let mut selection = Selection { cell: self, keys: Vec::new() };
+        for key in keys.into_keys() {
+            match selection.bbox_of(key) {
+                Ok(_) if seen.insert(key) => selection.keys.push(key),
+                Ok(_) => {}
+                Err(error) => selection.cell.defer_error(error),
             }
         }
-        members
+        selection
     }
 
-    /// One thing in this cell, with all placement methods: `d.select(key).rotate(45)`.
+    /// One element of this cell, with all placement methods: `d.select(key).rotate(45)`.
     pub fn select(&mut self, key: impl Into<Key>) -> Selection<'_> {
         self.group([key.into()])
     }
 
     /// All polygons and references of this cell, polygons first.
     pub fn select_all(&mut self) -> Selection<'_> {
-        use super::{PolygonKey, ReferenceKey};
-        let count = self.removed_polygons.next_number(self.cell.outlines.len());
-        let polygons = (0..count).filter(|n| self.removed_polygons.place(*n).is_some());
-        let mut keys: Vec<Key> = polygons.map(|first| PolygonKey { first, copies: 1 }.into()).collect();
-        let count = self.removed_references.next_number(self.cell.references.len());
-        let references = (0..count).filter(|n| self.removed_references.place(*n).is_some());
-        keys.extend(references.map(|number| Key::from(ReferenceKey(number))));
+        let mut keys: Vec<Key> = self.polygon_keys().map(Key::from).collect();
+        keys.extend(self.reference_keys().map(Key::from));
         Selection { cell: self, keys }
     }
 }
 
 impl Selection<'_> {
-    fn bbox_of(&self, key: Key) -> crate::Result<Option<Rect>> {
+    fn bbox_of(&self, key: Key) -> Result<Option<Rect>> {
         Ok(match key {
             Key::Reference(key) => self.cell.reference(key)?.bbox(),
             Key::Label(key) => self.cell.label(key)?.bbox(),
             Key::Polygon(key) => {
-                let places = self.cell.polygon_places(key)?;
-                let view = places.first().map(|place| self.cell.cell.outlines.get(*place));
+                let indices = self.cell.polygon_indices(key)?;
+                let view = indices.first().map(|index| self.cell.cell.polygons.get(*index));
                 view.and_then(|view| Rect::around(view.points.iter().copied()))
             }
         })
@@ -79,17 +104,36 @@ impl Selection<'_> {
                 }
             }
             Key::Label(key) => {
-                if let Ok(place) = self.cell.label_place(key) {
-                    self.cell.cell.labels[place].transform_mut(by);
+                if let Ok(index) = self.cell.label_index(key) {
+                    self.cell.cell.labels[index].transform_mut(by);
                 }
             }
             Key::Polygon(key) => {
                 let matrix = by.matrix();
-                for place in self.cell.polygon_places(key).unwrap_or_default() {
-                    self.cell.cell.outlines.points_mut(place).iter_mut().for_each(|p| *p = matrix.apply(*p));
+                for index in self.cell.polygon_indices(key).unwrap_or_default() {
+                    self.cell.cell.polygons.points_mut(index).iter_mut().for_each(|p| *p = matrix.apply(*p));
                 }
             }
         }
+    }
+
+    /// An element as error texts name it.
+    fn describe(&self, key: Key) -> String {
+        match key {
+            Key::Polygon(_) => "the polygon".to_owned(),
+            Key::Label(key) => {
+                self.cell.label(key).map_or_else(|_| "the label".to_owned(), |l| format!("the label \"{}\"", l.text))
+            }
+            Key::Reference(key) => match self.cell.reference(key) {
+                Ok(reference) => format!("the reference to \"{}\"", reference.device().name()),
+                Err(_) => "the reference".to_owned(),
+            },
+        }
+    }
+
+    fn defer_for(&mut self, error: DeferredError, what: &str) {
+        let error = error.into_error(&self.cell.cell.name, what);
+        self.cell.defer_error(error);
     }
 }
 
@@ -106,8 +150,12 @@ impl Transformable for Selection<'_> {
         }
     }
 
-    fn refuse(&mut self, fault: DeferredError) {
-        self.cell.refuse(fault);
+    fn defer(&mut self, error: DeferredError) {
+        let what = match self.keys[..] {
+            [key] => self.describe(key),
+            _ => "the selection".to_owned(),
+        };
+        self.defer_for(error, &what);
     }
 }
 
@@ -120,7 +168,13 @@ impl Align for Selection<'_> {
         self.transform_one(self.keys[index], &Transform::translation(by));
     }
 
-    fn refuse_arrangement(&mut self, fault: DeferredError) {
-        self.refuse(fault);
+    fn defer_align_error(&mut self, error: DeferredError) {
+        let DeferredError { method, reason: Reason::EmptyMember(index) } = error else { return self.defer(error) };
+        let error = Error::EmptyGeometry {
+            device: self.cell.cell.name.as_str().into(),
+            method,
+            what: self.describe(self.keys[index]).into(),
+        };
+        self.cell.defer_error(error);
     }
 }

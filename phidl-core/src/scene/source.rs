@@ -1,4 +1,4 @@
-//! [`Source`]: which generator drew a cell, and with what.
+//! [`Source`]: the generator of a cell and its parameters.
 
 use crate::runtime::ParamValues;
 
@@ -7,9 +7,9 @@ use crate::runtime::ParamValues;
 pub struct Source {
     /// Name of the generator, as registered.
     pub generator: &'static str,
-    /// Path of the module it stands in.
+    /// Path of its module.
     pub module: &'static str,
-    /// Version of the crate it stands in.
+    /// Version of its crate.
     pub version: &'static str,
     /// Every parameter in the generator's order, by its registered name.
     pub params: ParamValues,

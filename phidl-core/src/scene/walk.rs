@@ -1,36 +1,59 @@
-//! Lazy walks through a hierarchy: every placed cell, and every polygon where it ends up.
+//! Lazy iterators over a hierarchy: every placed cell, and every polygon, in top-level coordinates.
 //!
-//! Nothing is copied: a walk keeps one frame per level and applies one matrix to the points of a cell when they are
+//! Nothing is copied: an iterator keeps one frame per level and applies one matrix to the points of a cell when they are
 //! asked for.
+
+use std::collections::HashSet;
+use std::sync::Arc;
 
 use super::{Device, Polygon, PolygonView, Properties};
 use crate::geom::{Matrix, Point, Rect, Transform, signed_area};
 use crate::layer::{Layer, Layers};
 use crate::place::Bounded;
-use crate::port::Port;
 
-/// A cell where it ends up below the cell that was walked.
+/// A placed cell in top-level coordinates.
 #[derive(Debug, Clone, Copy)]
 pub struct Instance<'a> {
     /// The cell.
     pub device: &'a Device,
-    /// Where it ends up.
+    /// From the coordinates of the cell to those of the top cell.
     pub transform: Transform,
-    /// How many references lie above it; 0 is the walked cell itself.
+    /// How many references lie above it; 0 for the top cell itself.
     pub depth: usize,
 }
 
-/// A walk over all placed cells: a cell first, then what its references place, in order; of an array, columns outside
+/// An iterator over all placed cells: a cell first, then what its references place, in order; of an array, columns outside
 /// and rows inside. Made by [`Device::instances`].
 #[derive(Debug, Clone)]
 pub struct Instances<'a> {
-    start: Option<&'a Device>,
+    start: Option<(&'a Device, Transform)>,
     frames: Vec<Frame<'a>>,
     /// References below this depth are not followed.
     deepest: usize,
+    visit: Visit,
 }
 
-/// Where the walk is inside the references of one cell.
+/// Which placed cells are visited. Without pruning, an array of 60,000 × 60,000 empty cells would take a minute.
+#[derive(Debug, Clone)]
+enum Visit {
+    All,
+    /// Cells that draw something.
+    Drawn,
+    /// Cells in this set, by [`Device::ptr_id`].
+    Only(Arc<HashSet<usize>>),
+}
+
+impl Visit {
+    fn includes(&self, device: &Device) -> bool {
+        match self {
+            Self::All => true,
+            Self::Drawn => !device.is_empty(),
+            Self::Only(cells) => cells.contains(&device.ptr_id()),
+        }
+    }
+}
+
+/// The state of the iteration over the references of one cell.
 #[derive(Debug, Clone)]
 struct Frame<'a> {
     device: &'a Device,
@@ -47,12 +70,13 @@ impl<'a> Frame<'a> {
     }
 
     /// The next placed cell of this one.
-    fn next_child(&mut self) -> Option<(&'a Device, Transform)> {
+    fn next_child(&mut self, visit: &Visit) -> Option<(&'a Device, Transform)> {
         loop {
             let reference = self.device.references().get(self.reference)?;
             let (columns, rows) = reference.array().map_or((1, 1), |a| (a.columns, a.rows));
             let (column, row) = self.element;
-            if column >= columns || row >= rows {
+            let skipped = self.element == (0, 0) && !visit.includes(reference.device());
+            if skipped || column >= columns || row >= rows {
                 self.reference += 1;
                 self.element = (0, 0);
                 continue;
@@ -67,11 +91,11 @@ impl<'a> Iterator for Instances<'a> {
     type Item = Instance<'a>;
 
     fn next(&mut self) -> Option<Instance<'a>> {
-        if let Some(device) = self.start.take() {
-            return Some(self.enter(device, Transform::IDENTITY));
+        if let Some((device, transform)) = self.start.take() {
+            return Some(self.enter(device, transform));
         }
         while let Some(frame) = self.frames.last_mut() {
-            match frame.next_child() {
+            match frame.next_child(&self.visit) {
                 Some((device, transform)) => return Some(self.enter(device, transform)),
                 None => {
                     self.frames.pop();
@@ -83,12 +107,27 @@ impl<'a> Iterator for Instances<'a> {
 }
 
 impl<'a> Instances<'a> {
+    /// The placed cells from one cell on, which has this transform.
+    pub(super) fn new(device: &'a Device, transform: Transform) -> Self {
+        Self { start: Some((device, transform)), frames: Vec::new(), deepest: usize::MAX, visit: Visit::All }
+    }
+
+    /// Skips placed cells that draw nothing.
+    pub(super) fn drawn(self) -> Self {
+        Self { visit: Visit::Drawn, ..self }
+    }
+
+    /// Skips placed cells outside a set of [`Device::ptr_id`].
+    pub(super) fn only(self, cells: Arc<HashSet<usize>>) -> Self {
+        Self { visit: Visit::Only(cells), ..self }
+    }
+
     fn enter(&mut self, device: &'a Device, transform: Transform) -> Instance<'a> {
         let depth = self.frames.len();
         if depth < self.deepest {
             self.frames.push(Frame::new(device, transform));
         } else {
-            // A frame without references to follow keeps the depth right and is left at once.
+            // A frame at the end of its references keeps the depth right and is popped by the next call.
             let past_the_end = device.references().len();
             self.frames.push(Frame { reference: past_the_end, ..Frame::new(device, transform) });
         }
@@ -98,30 +137,30 @@ impl<'a> Instances<'a> {
 
 #[cfg(feature = "parallel")]
 impl<'a> Instances<'a> {
-    /// A walk that is over, to be set anywhere with the two methods below, from the top down.
-    pub(super) fn nowhere() -> Self {
-        Self { start: None, frames: Vec::new(), deepest: usize::MAX }
+    /// An exhausted iterator over the cells that draw something; position it by pushing frames from the top cell down.
+    pub(super) fn exhausted() -> Self {
+        Self { start: None, frames: Vec::new(), deepest: usize::MAX, visit: Visit::Drawn }
     }
 
-    /// Goes on, in time, after one element of one reference of a cell.
+    /// Pushes a frame that resumes after one element of one reference.
     pub(super) fn push_after(&mut self, device: &'a Device, transform: Transform, reference: usize, last: (u32, u32)) {
         let mut frame = Frame { reference, element: last, ..Frame::new(device, transform) };
-        frame.next_child();
+        frame.next_child(&self.visit);
         self.frames.push(frame);
     }
 
-    /// Goes on with the first placed cell of a cell.
+    /// Pushes a frame that begins with the first placed cell of a cell.
     pub(super) fn push_before_children(&mut self, device: &'a Device, transform: Transform) {
         self.frames.push(Frame::new(device, transform));
     }
 }
 
-/// A polygon where it ends up below the cell that was walked.
+/// A polygon of a hierarchy in top-level coordinates.
 #[derive(Debug, Clone)]
 pub struct FlatPolygon<'a> {
     /// The cell that it belongs to; for a box, the cell that the box stands for.
     pub device: &'a Device,
-    /// Where it is drawn; a box that stands for a cell has no layer.
+    /// Its layer; a box that stands for a cell has none.
     pub layer: Option<Layer>,
     corners: Corners<'a>,
     matrix: Matrix,
@@ -135,13 +174,13 @@ enum Corners<'a> {
 }
 
 impl FlatPolygon<'_> {
-    /// The corners where they end up, in order.
+    /// The corners in top-level coordinates, in order.
     pub fn points(&self) -> impl ExactSizeIterator<Item = Point> + DoubleEndedIterator + Clone + '_ {
         let matrix = self.matrix;
         self.stored().iter().map(move |p| matrix.apply(*p))
     }
 
-    /// How many corners it has.
+    /// The number of corners.
     #[must_use]
     pub fn len(&self) -> usize {
         self.stored().len()
@@ -160,7 +199,7 @@ impl FlatPolygon<'_> {
         (signed_area(self.stored()) * (a * d - b * c)).abs()
     }
 
-    /// The polygon as a value of its own.
+    /// The polygon as a value.
     #[must_use]
     pub fn to_polygon(&self) -> Polygon {
         let mut polygon = Polygon::new(self.points().collect::<Vec<_>>(), self.layer);
@@ -182,8 +221,8 @@ impl Bounded for FlatPolygon<'_> {
     }
 }
 
-/// A walk over the polygons of a whole hierarchy: those of a cell first, then those of its references, in order. Made
-/// by [`Device::flat_polygons`].
+/// An iterator over the polygons of a whole hierarchy: those of a cell first, then those of its references, in order.
+/// Made by [`Device::flat_polygons`].
 #[derive(Debug, Clone)]
 pub struct FlatPolygons<'a> {
     instances: Instances<'a>,
@@ -199,8 +238,8 @@ impl FlatPolygons<'_> {
         Self { layers: Some(layers.into()), ..self }
     }
 
-    /// Follows references only `depth` levels down; what they place further below is shown as the box around it. With
-    /// depth 0, all references of the walked cell are boxes.
+    /// Follows references `depth` levels down; cells below are replaced by their bounding boxes. With depth 0, all
+    /// references of the top cell are boxes.
     #[must_use]
     pub fn to_depth(mut self, depth: usize) -> Self {
         self.instances.deepest = depth + 1;
@@ -235,9 +274,9 @@ impl<'a> Iterator for FlatPolygons<'a> {
 impl<'a> FlatPolygons<'a> {
     fn next_of_current(&mut self) -> Option<FlatPolygon<'a>> {
         let (instance, matrix, next) = self.current.as_mut()?;
-        let outlines = &instance.device.cell().outlines;
-        while *next < outlines.len() {
-            let view: PolygonView<'a> = outlines.get(*next);
+        let polygons = &instance.device.cell().polygons;
+        while *next < polygons.len() {
+            let view: PolygonView<'a> = polygons.get(*next);
             *next += 1;
             if self.layers.as_ref().is_none_or(|layers| layers.contains(view.layer)) {
                 return Some(FlatPolygon {
@@ -255,14 +294,14 @@ impl<'a> FlatPolygons<'a> {
 }
 
 impl Device {
-    /// Every placed cell of the hierarchy with its place: this cell first, then what its references place, in order.
+    /// Every placed cell of the hierarchy with its transform: this cell first, then what its references place, in order.
     #[must_use]
     pub fn instances(&self) -> Instances<'_> {
-        Instances { start: Some(self), frames: Vec::new(), deepest: usize::MAX }
+        Instances::new(self, Transform::IDENTITY)
     }
 
-    /// Every polygon of the hierarchy where it ends up, one after the other: its own first, then those of its
-    /// references, in order. Nothing is copied.
+    /// Every polygon of the hierarchy in the coordinates of this cell: its own first, then those of its references, in
+    /// order. Nothing is copied.
     ///
     /// ```
     /// # use phidl_core::prelude::*;
@@ -278,39 +317,6 @@ impl Device {
     /// ```
     #[must_use]
     pub fn flat_polygons(&self) -> FlatPolygons<'_> {
-        FlatPolygons { instances: self.instances(), current: None, layers: None, boxes_at: None }
+        FlatPolygons { instances: self.instances().drawn(), current: None, layers: None, boxes_at: None }
     }
-
-    /// The ports of this cell and of what is placed below it, where they end up; `depth` 0 is this cell only, `None`
-    /// has no limit.
-    ///
-    /// Those of an array come row by row, and their info has `array_idx`, row and column, of the outermost array.
-    #[must_use]
-    pub fn ports_recursive(&self, depth: Option<usize>) -> Vec<Port> {
-        let mut ports: Vec<Port> = self.ports().cloned().collect();
-        if depth == Some(0) {
-            return ports;
-        }
-        for reference in self.references() {
-            let inner = reference.device().ports_recursive(depth.map(|d| d - 1));
-            match reference.array() {
-                None => ports.extend(inner.into_iter().map(|port| placed(port, &reference.element(0, 0)))),
-                Some(array) => {
-                    let cells = (0..array.rows).flat_map(|row| (0..array.columns).map(move |column| (row, column)));
-                    for (row, column) in cells {
-                        let element = reference.element(column, row);
-                        let marked = inner.iter().map(|p| p.clone().with_info("array_idx", [row, column]));
-                        ports.extend(marked.map(|port| placed(port, &element)));
-                    }
-                }
-            }
-        }
-        ports
-    }
-}
-
-fn placed(mut port: Port, transform: &Transform) -> Port {
-    use crate::place::Transformable;
-    port.transform_mut(transform);
-    port
 }

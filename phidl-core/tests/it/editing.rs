@@ -10,7 +10,7 @@ fn dot(layer: u16) -> Device {
 }
 
 #[test]
-fn keys_and_aliases_stay_good_when_other_things_go() {
+fn keys_and_aliases_stay_valid_when_other_elements_are_removed() {
     let mut d = Device::builder("cell");
     let a = d.add_as("a", dot(1));
     let b = d.add_as("b", dot(2));
@@ -40,7 +40,7 @@ fn polygon_keys_cover_all_copies_and_survive_removals() {
 }
 
 #[test]
-fn an_edited_copy_leaves_the_original_alone() {
+fn an_edited_copy_does_not_change_the_original() {
     let original = dot(1);
     let mut parent = Device::builder("parent");
     parent.add(&original);
@@ -83,7 +83,7 @@ fn layers_are_exchanged_all_the_way_down_and_once() {
     let d = d.build().unwrap();
     let drawn: Vec<u16> = d.flat_polygons().map(|p| p.layer.unwrap().number).collect();
     assert_eq!(drawn, [2, 1, 3]);
-    let labels: Vec<u16> = d.flattened().labels().iter().map(|l| l.layer.number).collect();
+    let labels: Vec<u16> = d.flattened().unwrap().labels().iter().map(|l| l.layer.number).collect();
     assert_eq!(labels, [1, 2, 3], "labels were not to be touched");
     assert!(d.references()[2].device().same_cell(&untouched), "a cell that does not change stays the same cell");
 }
@@ -97,12 +97,12 @@ fn a_cell_that_is_placed_twice_is_rewritten_once() {
     d.keep_layers(7, LayerTarget::All);
     let d = d.build().unwrap();
     assert!(d.references()[0].device().same_cell(d.references()[1].device()));
-    assert!(d.is_empty() && d.flattened().labels().is_empty());
+    assert!(d.is_empty() && d.flattened().unwrap().labels().is_empty());
     assert_eq!(shared.polygons().len(), 1);
 }
 
 #[test]
-fn walks_stop_at_the_depth_and_filter_by_layer() {
+fn iterators_stop_at_the_depth_and_filter_by_layer() {
     let mut middle = Device::builder("middle");
     middle.add(dot(1).array(2, 2, (4, 4)));
     middle.add_polygon([(0, 0), (9, 0), (0, 9)], 2).unwrap();
@@ -130,11 +130,11 @@ fn areas_count_magnified_and_arrayed_copies() {
     assert_eq!(areas[&Layer::new(1, 0)], 24.0);
     assert!((areas[&Layer::new(2, 0)] - 1.0).abs() < 1e-12);
     assert_eq!(d.layers(), [Layer::new(1, 0), Layer::new(2, 0)]);
-    assert_eq!(d.flat_counts(), (7, 28));
+    assert_eq!(d.flat_counts().unwrap(), (7, 28));
 }
 
 #[test]
-fn info_is_told_of_every_cell_below_once() {
+fn info_is_listed_once_for_every_cell_below() {
     let mut a = Device::builder("a");
     a.info("length", 3.5);
     let a = a.build().unwrap();
@@ -173,7 +173,7 @@ fn groups_are_added_member_by_member() {
 }
 
 #[test]
-fn a_key_given_twice_moves_its_thing_once() {
+fn a_key_given_twice_moves_its_element_once() {
     let mut d = Device::builder("cell");
     let key = d.add(dot(1));
     d.group([key, key]).move_by((1, 0));
@@ -183,7 +183,8 @@ fn a_key_given_twice_moves_its_thing_once() {
 #[test]
 fn labels_are_removed_by_a_test_and_the_keys_of_the_others_stay() {
     let mut d = Device::builder("labelled");
-    let (a, b, c) = (d.add_label("a", (0, 0), 1), d.add_label("b", (1, 0), 2), d.add_label("c", (2, 0), 1));
+    let add = |(text, x, layer): (&str, i32, u16)| d.add_label(text, (x, 0), layer).unwrap();
+    let [a, b, c] = [("a", 0, 1), ("b", 1, 2), ("c", 2, 1)].map(add);
     d.remove_labels(|label| label.text == "a" || label.layer == Layer::new(2, 0));
     assert!(d.label(a).is_err() && d.label(b).is_err());
     assert_eq!(d.label(c).unwrap().text, "c");
@@ -191,7 +192,7 @@ fn labels_are_removed_by_a_test_and_the_keys_of_the_others_stay() {
 }
 
 #[test]
-fn a_rewritten_hierarchy_shares_its_copies_and_leaves_the_originals_alone() {
+fn a_mapped_hierarchy_shares_its_copies_and_keeps_the_originals() {
     let mut leaf = Device::builder("leaf");
     leaf.add_polygon([(0, 0), (1, 0), (0, 1)], 1).unwrap();
     let leaf = leaf.build().unwrap();
@@ -211,8 +212,43 @@ fn a_rewritten_hierarchy_shares_its_copies_and_leaves_the_originals_alone() {
     });
     let copy = copy.unwrap();
     assert_eq!(order, ["leaf", "middle", "top"]);
-    assert_eq!((top.flat_counts().0, copy.flat_counts().0), (7, 2 * 7 + 2));
+    assert_eq!((top.flat_counts().unwrap().0, copy.flat_counts().unwrap().0), (7, 2 * 7 + 2));
     let inner = copy.get("first").unwrap().device().references()[0].device();
     assert!(inner.same_cell(copy.references()[1].device()) && !inner.same_cell(&leaf));
     assert!(top.map_cells(|_| Err(Error::custom("leaf", "no"))).is_err());
+}
+
+#[test]
+fn several_elements_are_added_and_removed_at_once() {
+    let mut d = Device::builder("cell");
+    let keys = d.add(vec![dot(1), dot(2), dot(3)]);
+    let [a, b] = d.add([dot(4).place(), dot(5).array(2, 1, (5, 0))]);
+    let polygon = d.add_polygon([(0, 0), (1, 0), (0, 1)], [1, 2]).unwrap();
+    let label = d.add_label("x", (0, 0), 1).unwrap();
+    d.remove([keys[0].into(), Key::from(polygon), a.into(), label.into()]).unwrap();
+    assert_eq!((d.references().len(), d.polygons().len(), d.labels().len()), (3, 0, 0));
+    assert_eq!(d[keys[1]].device().name(), "dot2");
+    assert_eq!(d[b].device().name(), "dot5");
+    assert!(d.remove([keys[1], keys[0]]).is_err());
+    assert_eq!(d.references().len(), 3, "a refused list removes nothing");
+    let all: Vec<ReferenceKey> = d.reference_keys().collect();
+    d.remove(all).unwrap();
+    assert!(d.build().unwrap().references().is_empty());
+}
+
+#[test]
+fn a_clone_accepts_the_keys_of_its_original_and_new_keys_are_separate() {
+    let mut original = Device::builder("original");
+    let shared = original.add(dot(1));
+    let none = original.add_polygon([(0, 0), (2, 0), (0, 2)], Layers::NONE).unwrap();
+    let mut copy = original.clone();
+    copy[shared].movex(5);
+    assert_eq!((original[shared].xmin(), copy[shared].xmin()), (0.0, 5.0));
+    assert!(copy.remove(none).is_ok());
+    let (late, other) = (original.add(dot(2)), copy.add(dot(3)));
+    assert!(matches!(copy.reference(late), Err(Error::ForeignKey { .. })));
+    assert!(matches!(original.reference(other), Err(Error::ForeignKey { .. })));
+    let second = copy.clone();
+    assert!(second.reference(shared).is_ok() && second.reference(other).is_ok());
+    assert!(matches!(original.build().unwrap().edit().reference(shared), Err(Error::ForeignKey { .. })));
 }

@@ -1,5 +1,6 @@
 //! Integration tests of the scene graph.
 
+mod bounds;
 mod editing;
 mod errors;
 mod laws;

@@ -111,7 +111,7 @@ pub fn gridsweep(
 
     let mut d = grid.edit();
     if let Some(layer) = label_layer {
-        add_labels(&mut d, &sweep, &combinations, layer);
+        add_labels(&mut d, &sweep, &combinations, layer)?;
     }
     d.build()
 }
@@ -151,16 +151,17 @@ impl Plan<'_> {
     }
 }
 
-fn add_labels(d: &mut DeviceBuilder, sweep: &Plan<'_>, combinations: &[Combination], layer: Layer) {
+fn add_labels(d: &mut DeviceBuilder, sweep: &Plan<'_>, combinations: &[Combination], layer: Layer) -> Result<()> {
     let centers: Vec<Option<Point>> = d.references().map(|cell| cell.bbox().map(|bbox| bbox.center())).collect();
     for (center, swept) in centers.into_iter().zip(combinations) {
         if let (Some(center), false) = (center, swept.is_empty()) {
-            d.add_label(sweep.label(swept), center, layer);
+            d.add_label(sweep.label(swept), center, layer)?;
         }
     }
     if let Some(bbox) = d.bbox() {
-        d.add_label(sweep.common_label(), bbox.min, layer);
+        d.add_label(sweep.common_label(), bbox.min, layer)?;
     }
+    Ok(())
 }
 
 /// A value as a label shows it: text bare, a float as one even if it is whole.

@@ -94,8 +94,8 @@ pub fn flatten(
 ) -> Result<Device> {
     let mut d = device.edit();
     match single_layer {
-        Some(layer) => d.flatten_onto(layer),
-        None => d.flatten(),
+        Some(layer) => d.flatten_onto(layer)?,
+        None => d.flatten()?,
     };
     d.build()
 }

@@ -103,18 +103,16 @@ impl Microstrip {
     /// The impedance falls steadily with the width, so there is one such strip.
     ///
     /// # Errors
-    /// [`Error::Refused`] unless the strip is between a millionth of the thickness of the dielectric and a million times as
+    /// [`Error::Invalid`] unless the strip is between a millionth of the thickness of the dielectric and a million times as
     /// wide.
     pub fn width_for(&self, impedance: f64) -> Result<f64> {
         let (narrow, wide) = (NARROWEST * self.thickness, WIDEST * self.thickness);
         let (highest, lowest) = (self.impedance(narrow), self.impedance(wide));
         if !(lowest..=highest).contains(&impedance) {
-            return Err(Error::Refused {
-                device: "microstrip".into(),
-                what: "impedance".into(),
-                value: format!("{impedance} Ω").into(),
-                rule: format!("be from {lowest} Ω ({wide} µm wide) to {highest} Ω ({narrow} µm wide)").into(),
-            });
+            let problem = format!(
+                "the impedance is {impedance} Ω, but it must be from {lowest} Ω ({wide} µm wide) to {highest} Ω ({narrow} µm wide)"
+            );
+            return Err(Error::Invalid { device: "microstrip".into(), problem: problem.into() });
         }
         // Impedance over width is close to a straight line if both are logarithms.
         let off = |ln_u: f64| (self.impedance(self.thickness * ln_u.exp()) / impedance).ln();

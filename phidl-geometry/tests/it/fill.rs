@@ -108,7 +108,7 @@ fn free_area_is_filled_with_few_arrays() {
     let below_left_right_above = 4;
     assert_eq!(fill.references().len(), below_left_right_above);
     let all = square().avoid_layers(77).build().unwrap();
-    assert_eq!((all.references().len(), all.flat_counts().0), (1, 100));
+    assert_eq!((all.references().len(), all.flat_counts().unwrap().0), (1, 100));
 }
 
 #[test]

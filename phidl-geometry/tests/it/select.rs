@@ -116,8 +116,8 @@ fn drawn_ports_are_those_of_the_reference() {
 #[test]
 fn a_layer_with_a_datatype_loses_no_port_and_other_labels_stay() {
     let mut d = Device::builder("d");
-    d.add_label("not a port", (0, 0), (2, 5));
-    d.add_label("[\"x\", 1.0, 0.0]", (0, 0), 2);
+    d.add_label("not a port", (0, 0), (2, 5)).unwrap();
+    d.add_label("[\"x\", 1.0, 0.0]", (0, 0), 2).unwrap();
     d.add_port("a \"b\"\n", ((1, 2), 1.234_567_89, 33)).unwrap();
     let drawn = pg::ports_to_geometry(d.build().unwrap(), (2, 5)).unwrap();
     let again = pg::geometry_to_ports(&drawn, (2, 5)).unwrap();
@@ -125,8 +125,8 @@ fn a_layer_with_a_datatype_loses_no_port_and_other_labels_stay() {
     assert_eq!((port.width(), port.orientation()), (1.234_567_89, 33.0));
     assert_eq!(again.labels().len(), 2);
     let mut twice = Device::builder("twice");
-    twice.add_label("[\"a\", 1.0, 0.0]", (0, 0), 0);
-    twice.add_label("[\"a\", 2.0, 0.0]", (5, 0), 0);
+    twice.add_label("[\"a\", 1.0, 0.0]", (0, 0), 0).unwrap();
+    twice.add_label("[\"a\", 2.0, 0.0]", (5, 0), 0).unwrap();
     let error = pg::geometry_to_ports(twice.build().unwrap(), 0).unwrap_err();
     assert!(matches!(error.root(), Error::Duplicate { .. }), "{error}");
 }
@@ -156,10 +156,10 @@ proptest! {
     #[test]
     fn ports_survive_being_drawn(original in hierarchy()) {
         let drawn = pg::ports_to_geometry(&original, (77, 7)).unwrap();
-        prop_assert!(drawn.ports_recursive(None).is_empty());
+        prop_assert!(drawn.ports_recursive(None).unwrap().is_empty());
         let again = pg::geometry_to_ports(&drawn, (77, 7)).unwrap();
         prop_assert_eq!(again.flat_counts(), original.flat_counts());
-        for (a, b) in again.ports_recursive(None).iter().zip(original.ports_recursive(None)) {
+        for (a, b) in again.ports_recursive(None).unwrap().iter().zip(original.ports_recursive(None).unwrap()) {
             prop_assert!(a.midpoint().distance(b.midpoint()) < 1e-9);
             prop_assert_eq!((a.name(), a.width(), a.orientation()), (b.name(), b.width(), b.orientation()));
         }

@@ -133,7 +133,7 @@ mod tests {
     fn cells(names: &[&str]) -> Vec<Device> {
         let cell = |(i, name): (usize, &&str)| {
             let mut d = Device::builder(name);
-            d.add_label(i.to_string(), (0, 0), 1);
+            d.add_label(i.to_string(), (0, 0), 1).unwrap();
             d.build().unwrap()
         };
         names.iter().enumerate().map(cell).collect()

@@ -67,7 +67,7 @@ struct Drawn {
 }
 
 fn layers(device: &Device) -> Map<String, Value> {
-    let listed = device.flat_counts().1 <= MOST_LISTED;
+    let listed = device.flat_counts().is_ok_and(|(_, points)| points <= MOST_LISTED);
     let mut layers: IndexMap<String, Drawn> = IndexMap::new();
     for polygon in device.flat_polygons() {
         let Some(layer) = polygon.layer else { continue };

@@ -229,7 +229,7 @@ mod tests {
         d.add_polygon([(0, 0), (20, 0), (20, 10), (0, 10)], (1, 2)).unwrap();
         d.add(frame().place().rotated(90).moved_by((5, 1)));
         d.add(frame().array(3, 1, (5, 5)).moved_by((6, 1)));
-        d.add_label("a & b", (2, 3), 10);
+        d.add_label("a & b", (2, 3), 10).unwrap();
         let mut layers = LayerSet::new();
         layers.add(NamedLayer::new("au", 3).color("gold".parse().unwrap())).unwrap();
         let options = SvgOptions { layers, scale: 2.0, label_height: Some(1.0) };

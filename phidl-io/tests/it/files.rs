@@ -40,7 +40,7 @@ fn what_the_format_cannot_say_is_refused_with_cell_and_element() {
     let write = |device: &Device, options: &GdsOptions| gds::to_bytes(device, options).unwrap_err();
     let manual = GdsOptions { limits: GdsLimits::MANUAL, ..GdsOptions::default() };
     let text = cell(|d| {
-        d.add_label("5 µm", (0, 0), 1);
+        d.add_label("5 µm", (0, 0), 1).unwrap();
     });
     assert!(
         matches!(write(&text, &GdsOptions::default()), IoError::Refused { item, .. } if matches!(*item, Item::Label { index: 0, .. }))

@@ -63,7 +63,7 @@ fn leaf(number: usize) -> impl Strategy<Value = Device> {
     let (polygons, labels) = (prop::collection::vec(polygon(), 0..5), prop::collection::vec(label(), 0..3));
     (polygons, labels).prop_map(move |(polygons, labels)| {
         let mut d = Device::builder(format!("leaf{number}"));
-        d.add_label(format!("leaf {number}"), (0, 0), 1);
+        d.add_label(format!("leaf {number}"), (0, 0), 1).unwrap();
         polygons.into_iter().for_each(|polygon| {
             d.add(polygon);
         });
@@ -95,7 +95,7 @@ fn holder(name: String, below: Vec<Device>) -> impl Strategy<Value = Device> {
     (prop::collection::vec(polygon(), 0..3), prop::collection::vec(placement(below), 1..5)).prop_map(
         move |(polygons, placements)| {
             let mut d = Device::builder(&name);
-            d.add_label(name.clone(), (0, 0), 1);
+            d.add_label(name.clone(), (0, 0), 1).unwrap();
             for polygon in polygons {
                 d.add(polygon);
             }

@@ -187,7 +187,10 @@ mod b {
 fn generators_of_the_same_name_are_told_apart_by_their_module() {
     let error = registry::find("ambiguous").unwrap_err().to_string();
     let (a, b) = (concat!(module_path!(), "::a::ambiguous"), concat!(module_path!(), "::b::ambiguous"));
-    assert_eq!(error, format!("registry: name of a generator is \"ambiguous\", but it must say which one: {a} or {b}"));
+    assert_eq!(
+        error,
+        format!("registry: several generators are called \"ambiguous\": {a}, {b}; name one with its path")
+    );
     assert_eq!(registry::find(b).unwrap().params()[0].name, "b");
     assert!(registry::find("no_such_thing").unwrap_err().to_string().contains("known are "));
 }

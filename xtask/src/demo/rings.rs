@@ -90,7 +90,7 @@ pub(crate) fn ring_sweep(
             let corner = Point::new(pitch.width * column as f64, pitch.height * row as f64);
             let mut filter = ring_filter(*radius, *gap, 1, 400, 100, 8, WAVEGUIDE)?.place();
             filter.set_xmin(corner.x).set_ymin(corner.y);
-            d.add_label(format!("R{radius} G{gap}"), (filter.x(), filter.ymin() - 18.0), NAME);
+            d.add_label(format!("R{radius} G{gap}"), (filter.x(), filter.ymin() - 18.0), NAME)?;
             d.add(filter);
         }
     }

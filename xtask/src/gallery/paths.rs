@@ -110,7 +110,7 @@ pub(super) fn rows<const N: usize>(gap: f64, rows: [Vec<(&str, Device)>; N]) -> 
             let mut thing = thing.place();
             thing.set_xmin(left).set_y(top - height / 2.0);
             if !name.is_empty() {
-                d.add_label(name, (thing.x(), top - height - name_gap), 0);
+                d.add_label(name, (thing.x(), top - height - name_gap), 0)?;
             }
             left = thing.xmax() + gap;
             d.add(thing);

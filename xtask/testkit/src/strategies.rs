@@ -39,7 +39,7 @@ pub fn cell() -> impl Strategy<Value = Device> {
         for polygon in polygons {
             d.add(polygon);
         }
-        d.add_label("label", at, 3);
+        d.add_label("label", at, 3).expect("a finite label");
         d.add_port("port", (at, 1, 30)).expect("a finite port");
         d.build().expect("a finite cell")
     })

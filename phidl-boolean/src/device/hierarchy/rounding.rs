@@ -71,7 +71,7 @@ struct Survey<'a> {
 impl Survey<'_> {
     fn visit(&mut self, cell: &Device, transform: &Transform) {
         let matrix = transform.matrix();
-        if !self.seen.insert((cell.address(), bits(&matrix), self.part(transform))) {
+        if !self.seen.insert((cell.ptr_id(), bits(&matrix), self.part(transform))) {
             return;
         }
         for point in cell.polygons().flat_map(|polygon| polygon.points) {

@@ -139,7 +139,7 @@ mod tests {
         d.add_polygon(ring.collect::<Vec<_>>(), 3).unwrap();
         d.add_polygon([(0.0, 0.0), (20.0 + noise, 0.0), (20.0, 5.0 - noise), (0.0, 5.0)], 1).unwrap();
         d.add_port("<in>", ((20.0, 2.5 + noise), 5, 0)).unwrap();
-        d.add_label("here", (5, 2), 1);
+        d.add_label("here", (5, 2), 1).unwrap();
         d.build().unwrap()
     }
 
@@ -161,7 +161,7 @@ mod tests {
         let mut outer = Device::builder("pad & port");
         outer.add(inner.place().rotated(90).rotated(-90));
         outer.add_port("<in>", inner.port("<in>").unwrap()).unwrap();
-        outer.add_label("here", (5, 2), 1);
+        outer.add_label("here", (5, 2), 1).unwrap();
         assert_eq!(drawn(&outer.build().unwrap()), drawn(&inner));
     }
 
