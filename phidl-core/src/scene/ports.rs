@@ -29,6 +29,9 @@ impl Device {
         // One frame per level of the hierarchy, the innermost last.
         let mut frames = vec![Frame::new(self, Transform::IDENTITY, None)];
         frames[0].append_ports(&mut ports);
+        if depth == Some(0) {
+            return Ok(ports);
+        }
         while let Some(frame) = frames.last_mut() {
             let Some(child) = frame.next_child(&counts) else {
                 frames.pop();
