@@ -280,7 +280,7 @@ mod tests {
                 d.add_polygon([(0, 0), (1, 0), (0, 1)], 1).unwrap();
             }),
             cell(|d| {
-                d.add_label("x", (0, 0), 1);
+                d.add_label("x", (0, 0), 1).unwrap();
             }),
             cell(|d| {
                 let child = cell(|_| {});

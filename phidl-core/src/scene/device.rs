@@ -152,7 +152,7 @@ impl Device {
     /// The polygon with an index, in the order in which they were added.
     #[must_use]
     pub fn polygon(&self, index: usize) -> Option<PolygonView<'_>> {
-        let outlines = &self.cell().outlines;
+        let outlines = &self.cell().polygons;
         (index < outlines.len()).then(|| outlines.get(index))
     }
 

@@ -29,14 +29,14 @@ impl Cells {
     pub(super) fn of(top: &Device, options: &WeldOptions) -> Self {
         let mut cells = top.cells();
         cells.reverse();
-        let numbers = cells.iter().enumerate().map(|(number, cell)| (cell.address(), number)).collect();
+        let numbers = cells.iter().enumerate().map(|(number, cell)| (cell.ptr_id(), number)).collect();
         let list = cells.into_iter().map(|cell| CellIndex::new(cell, options)).collect();
         Self { list, numbers }
     }
 
     /// The index in `list` of the cell that a reference places.
     pub(super) fn number(&self, device: &Device) -> usize {
-        self.numbers[&device.address()]
+        self.numbers[&device.ptr_id()]
     }
 
     pub(super) fn child(&self, reference: &Reference) -> &CellIndex {

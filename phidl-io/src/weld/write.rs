@@ -80,7 +80,7 @@ impl<'a> FormWriter<'a> {
             return Ok(device);
         }
         let digest = device.drawing_hash();
-        let known = (original.address(), digest);
+        let known = (original.ptr_id(), digest);
         if let Some(form) = self.known.get(&known) {
             return Ok(form.clone());
         }
