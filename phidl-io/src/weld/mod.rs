@@ -175,7 +175,10 @@ fn plan_all(layout: &Layout<'_>) -> Result<BTreeMap<AnchorKey, Plan>> {
     while let Some(key) = waiting.pop_last() {
         let plan = layout.plan(key)?;
         for node in &plan.nodes {
-            for reference in layout.cells.list[node.cell].device.references() {
+            for (number, reference) in layout.cells.list[node.cell].device.references().iter().enumerate() {
+                if node.exposed.range((number, (0, 0))..=(number, (u32::MAX, u32::MAX))).count() == reference.count() {
+                    continue;
+                }
                 if let Rest::Anchor { key, .. } = layout.rest(&node.placement, reference)
                     && !plans.contains_key(&key)
                 {
