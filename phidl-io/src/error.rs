@@ -59,7 +59,7 @@ pub enum IoError {
         /// The two sides.
         sides: [Box<str>; 2],
         /// Why it stays open.
-        status: crate::weld::WeldStatus,
+        status: Box<str>,
         /// Where it is (µm).
         position: Box<str>,
     },

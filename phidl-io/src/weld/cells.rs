@@ -5,7 +5,6 @@ use std::collections::HashMap;
 
 use phidl_core::geom::{Point, Rect};
 use phidl_core::layer::Layer;
-use phidl_core::num::grid::Grid;
 use phidl_core::param::Value;
 use phidl_core::place::Bounded;
 use phidl_core::scene::{Device, Reference};
@@ -163,11 +162,6 @@ fn lattice_range(steps: [Point; 2], counts: [u32; 2], first: Rect, rect: &Rect) 
         let range = (low.clamp(0.0, most) as u32, high.clamp(0.0, most) as u32);
         range
     })
-}
-
-/// A point in steps of the grid, not rounded.
-pub(super) fn in_steps(grid: &Grid, p: Point) -> Point {
-    Point::new(grid.scaled(p.x), grid.scaled(p.y))
 }
 
 #[cfg(test)]

@@ -2,14 +2,11 @@
 
 use phidl_core::geom::{Point, Rect};
 use phidl_core::layer::Layer;
-use phidl_core::num::grid::{Grid, whole};
+use phidl_core::num::grid::Grid;
 use rstar::primitives::GeomWithData;
 use rstar::{AABB, RTree};
 
-use super::Corner;
-use super::cells::in_steps;
-use super::faces::corner_of;
-use super::polygon::cross;
+use super::corner::{Corner, cross, in_steps, nearest};
 use super::sites::clusters;
 
 /// A seam point in the frame of an anchor, before it has its grid point.
@@ -89,7 +86,7 @@ impl Classes {
 /// half step, both neighbors are equally near: the one that more exact members have, and away from zero if that ties.
 fn grid_point(members: &[&SeamPoint], grid: &Grid) -> (Corner, bool) {
     let truth = members[0].truth;
-    let rounded = corner_of(Point::new(whole(in_steps(grid, truth).x), whole(in_steps(grid, truth).y)));
+    let rounded = nearest(in_steps(grid, truth));
     let rigid: Vec<Corner> = members.iter().flat_map(|seam| seam.rigid.iter().copied()).collect();
     if let Some(first) = rigid.first() {
         return (*first, rigid.iter().all(|corner| corner == first));

@@ -2,11 +2,11 @@
 
 use phidl_core::geom::{Point, Rect, Transform};
 use phidl_core::layer::Layer;
-use phidl_core::num::grid::{Grid, whole};
+use phidl_core::num::grid::Grid;
 use phidl_core::scene::{Device, PolygonView};
 
-use super::Corner;
-use super::cells::{Cells, Item, elements_near, in_steps};
+use super::cells::{Cells, Item, elements_near};
+use super::corner::{Corner, corner_of, in_steps, rounded};
 use super::linear::Linear;
 
 /// The line through a port, across its normal.
@@ -212,7 +212,6 @@ impl FaceSearch<'_> {
     }
 
     fn end(&self, place: &Place, local: Point, at: Point) -> End {
-        let rounded = |p: Point| Point::new(whole(p.x), whole(p.y));
         let corner = rounded(in_steps(self.grid, local));
         let mut written = corner;
         let mut exact = Some(corner_of(corner));
@@ -233,13 +232,6 @@ impl FaceSearch<'_> {
         }
         End { at, written, exact, rigid }
     }
-}
-
-/// A point of whole numbers as whole numbers.
-pub(super) fn corner_of(p: Point) -> Corner {
-    #[expect(clippy::cast_possible_truncation, reason = "rounded before; files refuse what is out of their range")]
-    let corner = [p.x as i64, p.y as i64];
-    corner
 }
 
 /// The box in a cell's frame around a box in the frame where the cell is placed.

@@ -4,12 +4,12 @@ use std::collections::BTreeMap;
 
 use phidl_core::geom::{Point, Rect};
 use phidl_core::layer::Layer;
-use phidl_core::num::{angle, grid::whole};
+use phidl_core::num::angle;
 use phidl_core::place::Bounded;
 use phidl_core::scene::Reference;
 
-use super::Corner;
 use super::cells::CellIndex;
+use super::corner::{Corner, in_steps, is_on, rounded};
 use super::faces::{FaceEdge, FaceSearch, Line, Rigid, Scope};
 use super::ports::{FreePort, Lattice, Owner, placed_ports};
 use super::sites::clusters;
@@ -224,7 +224,7 @@ impl JointSearch<'_> {
     }
 
     fn is_whole(&self, step: Point) -> bool {
-        let steps = super::cells::in_steps(self.faces.grid, step);
+        let steps = in_steps(self.faces.grid, step);
         steps.x.fract() == 0.0 && steps.y.fract() == 0.0
     }
 
@@ -349,8 +349,7 @@ impl JointSearch<'_> {
         for seam in &mut seams {
             let ends =
                 || edges.iter().flat_map(|edge| &edge.ends).filter(|end| end.at.distance(seam.at) <= self.reach());
-            let read = |p: Point| Point::new(whole(p.x), whole(p.y));
-            let written: Vec<Point> = ends().map(|end| read(end.written)).collect();
+            let written: Vec<Point> = ends().map(|end| rounded(end.written)).collect();
             gap = written.iter().fold(gap, |gap, p| gap.max(p.distance(written[0])));
             seam.exact = ends().filter(|end| end.rigid.is_none()).filter_map(|end| end.exact).collect();
             seam.rigid = ends().filter_map(|end| end.rigid).collect();
@@ -367,7 +366,7 @@ impl JointSearch<'_> {
             });
             for edge in through {
                 match edge.ends.each_ref().map(|end| end.exact) {
-                    [Some(a), Some(b)] => closed &= super::polygon::is_on(a, b, point),
+                    [Some(a), Some(b)] => closed &= is_on(a, b, point),
                     _ => closed = false,
                 }
                 if let [Some(a), Some(b)] = edge.ends.each_ref().map(|end| end.rigid) {

@@ -7,7 +7,7 @@
 use phidl_core::geom::{Point, Transform};
 use phidl_core::num::angle;
 
-use super::Corner;
+use super::corner::Corner;
 
 /// One of the eight placements that map the grid onto itself: mirror at the x axis, then quarter turns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

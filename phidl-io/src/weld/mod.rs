@@ -48,6 +48,7 @@
 
 mod cells;
 mod classes;
+mod corner;
 mod faces;
 mod joints;
 mod linear;
@@ -75,9 +76,6 @@ use crate::error::{IoError, Result};
 
 pub use options::{Beneath, Joints, Listing, WeldOptions};
 pub use report::{FormReport, JointReport, WeldReport, WeldStatus};
-
-/// A point of the grid, in steps.
-type Corner = [i64; 2];
 
 /// Cell names of GDSII files end here by default.
 const NAME_LIMIT: usize = 32;
@@ -272,7 +270,7 @@ fn unwelded(joint: &JointReport) -> IoError {
     IoError::Unwelded {
         cell: joint.cell.as_str().into(),
         sides: [one.as_str().into(), other.as_str().into()],
-        status: joint.status,
+        status: joint.status.to_string().into(),
         position: joint.position.to_string().into(),
     }
 }

@@ -7,16 +7,16 @@
 
 use std::collections::{BTreeMap, VecDeque};
 
-use phidl_core::geom::{Point, Rect, Transform};
+use phidl_core::geom::{Matrix, Point, Rect, Transform};
 use phidl_core::layer::Layer;
-use phidl_core::num::grid::{Grid, whole};
+use phidl_core::num::grid::Grid;
 use phidl_core::place::Bounded;
 use phidl_core::scene::{Device, Reference};
 
-use super::Corner;
-use super::cells::{Cells, Item, elements_near, in_steps};
+use super::cells::{Cells, Item, elements_near};
 use super::classes::{Classes, SeamPoint};
-use super::faces::{Rigid, corner_of, local_box};
+use super::corner::{Corner, in_steps, nearest, rounded};
+use super::faces::{Rigid, local_box};
 use super::joints::{Found, Seam, State};
 use super::linear::{Linear, Orientation};
 use super::options::{Beneath, WeldOptions};
@@ -56,6 +56,8 @@ pub(super) enum Rest {
 pub(super) struct Placement {
     /// From the cell to the anchor (µm), not rounded.
     pub(super) truth: Transform,
+    /// The same, ready to be applied to many points.
+    pub(super) matrix: Matrix,
     pub(super) linear: Linear,
     /// Where the cell's origin is written (steps): whole numbers if the placement is exact.
     pub(super) origin: Point,
@@ -63,7 +65,7 @@ pub(super) struct Placement {
 
 impl Placement {
     fn root(base: Transform) -> Self {
-        Self { truth: base, linear: Linear::of(&base), origin: Point::ORIGIN }
+        Self { truth: base, matrix: base.matrix(), linear: Linear::of(&base), origin: Point::ORIGIN }
     }
 
     /// Whether the cell's corners are rounded in the cell, and not in the anchor.
@@ -78,15 +80,15 @@ impl Placement {
 
     /// The frame in which the cell is written: an orientation and a whole-numbered origin.
     pub(super) fn frame(&self) -> (Orientation, Corner) {
-        (self.linear.orientation, corner_of(Point::new(whole(self.origin.x), whole(self.origin.y))))
+        (self.linear.orientation, nearest(self.origin))
     }
 
     pub(super) fn below(&self, own: &Transform, grid: &Grid) -> Self {
         let truth = own.then(&self.truth);
         let linear = Linear::of(&truth);
-        let origin = in_steps(grid, self.truth.apply_vector(own.origin)) + self.origin;
-        let origin = if linear.is_exact() { Point::new(whole(origin.x), whole(origin.y)) } else { origin };
-        Self { truth, linear, origin }
+        let origin = in_steps(grid, self.matrix.apply_vector(own.origin)) + self.origin;
+        let origin = if linear.is_exact() { rounded(origin) } else { origin };
+        Self { truth, matrix: truth.matrix(), linear, origin }
     }
 
     /// Where a corner is written that is rounded in the cell, if the placement is exact.
@@ -98,10 +100,10 @@ impl Placement {
     /// Where a point of the cell is written.
     pub(super) fn corner(&self, local: Point, grid: &Grid) -> Corner {
         let steps = in_steps(grid, local);
-        let exact = self.is_exact().then(|| self.apply_exactly(corner_of(Point::new(whole(steps.x), whole(steps.y)))));
+        let exact = self.is_exact().then(|| self.apply_exactly(nearest(steps)));
         exact.flatten().unwrap_or_else(|| {
-            let placed = in_steps(grid, self.truth.apply_vector(local)) + self.origin;
-            corner_of(Point::new(whole(placed.x), whole(placed.y)))
+            let placed = in_steps(grid, self.matrix.apply_vector(local)) + self.origin;
+            nearest(placed)
         })
     }
 }
@@ -353,8 +355,8 @@ impl Planner<'_, '_> {
             let below = placement.below(&rigid.transform, grid);
             let (_, [ox, oy]) = below.frame();
             let corner = Point::new(rigid.corner[0] as f64, rigid.corner[1] as f64);
-            let placed = below.truth.apply_vector(corner);
-            [ox + corner_of(Point::new(whole(placed.x), 0.0))[0], oy + corner_of(Point::new(0.0, whole(placed.y)))[1]]
+            let [x, y] = nearest(below.matrix.apply_vector(corner));
+            [ox + x, oy + y]
         };
         let mirrored = placement.truth.x_reflection;
         let rigid_edge = seam.rigid_edge.map(|[a, b]| {

@@ -3,8 +3,8 @@
 use phidl_core::geom::Point;
 use phidl_core::layer::Layer;
 
-use super::Corner;
 use super::classes::Class;
+use super::corner::{Corner, cross, distance_squared, dot, is_on, sub};
 
 /// A corner of the wide side nearer to an inserted vertex than this may be overtaken by it (steps).
 const OVERTAKEN_WITHIN: i64 = 4;
@@ -122,30 +122,6 @@ fn turns_over(outline: &[Vertex], rounded: &[Corner]) -> bool {
 fn cross_properly((a, b): (Corner, Corner), (c, d): (Corner, Corner)) -> bool {
     let sides = |p, q, r, s| cross(p, q, r).signum() * cross(p, q, s).signum() < 0;
     sides(a, b, c, d) && sides(c, d, a, b)
-}
-
-/// Whether a grid point lies on a segment, exactly.
-pub(super) fn is_on(a: Corner, b: Corner, p: Corner) -> bool {
-    let between = |axis: usize| a[axis].min(b[axis]) <= p[axis] && p[axis] <= a[axis].max(b[axis]);
-    cross(a, b, p) == 0 && between(0) && between(1)
-}
-
-/// Positive if `p` lies left of the line from `a` to `b`.
-pub(super) fn cross(a: Corner, b: Corner, p: Corner) -> i128 {
-    let (u, v) = (sub(b, a), sub(p, a));
-    i128::from(u[0]) * i128::from(v[1]) - i128::from(u[1]) * i128::from(v[0])
-}
-
-fn dot(u: Corner, v: Corner) -> i128 {
-    i128::from(u[0]) * i128::from(v[0]) + i128::from(u[1]) * i128::from(v[1])
-}
-
-fn sub(a: Corner, b: Corner) -> Corner {
-    [a[0] - b[0], a[1] - b[1]]
-}
-
-fn distance_squared(a: Corner, b: Corner) -> i128 {
-    dot(sub(a, b), sub(a, b))
 }
 
 fn doubled_area(outline: &[Vertex]) -> i128 {

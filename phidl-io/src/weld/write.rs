@@ -6,7 +6,7 @@ use phidl_core::geom::{Point, Rect, Transform};
 use phidl_core::hash::Digest;
 use phidl_core::scene::{Array, Device, DeviceBuilder, Reference};
 
-use super::Corner;
+use super::corner::Corner;
 use super::linear::Orientation;
 use super::plan::{AnchorKey, Layout, Node, Placement, Plan, Rest};
 use super::polygon::{self, Welded};
@@ -130,7 +130,7 @@ impl Form<'_> {
     }
 
     fn polygons(&mut self, original: &Device, cell: &mut DeviceBuilder, counts: &mut Counts) -> Result<()> {
-        let truth = self.placement().truth.matrix();
+        let truth = self.placement().matrix;
         for polygon in original.polygons() {
             let placed: Vec<Point> = polygon.points.iter().map(|p| truth.apply(*p)).collect();
             let near = match (self.plan.classes.is_empty(), Rect::around(placed.iter().copied())) {
@@ -138,24 +138,29 @@ impl Form<'_> {
                 _ => Vec::new(),
             };
             let placement = &self.node.placement;
-            let rounded =
-                || -> Vec<Corner> { polygon.points.iter().map(|p| placement.corner(*p, self.layout.grid)).collect() };
-            let mut outline = None;
-            if !near.is_empty() {
-                let rounded = rounded();
-                match polygon::weld(&placed, &rounded, polygon.layer, &near, self.layout.reach) {
-                    Welded::Unchanged => {}
-                    Welded::Squeezed => counts.squeezed += 1,
+            let mut corners = None;
+            if placement.is_baked() || !near.is_empty() {
+                let rounded: Vec<Corner> =
+                    polygon.points.iter().map(|p| placement.corner(*p, self.layout.grid)).collect();
+                let welded = match near.is_empty() {
+                    true => Welded::Unchanged,
+                    false => polygon::weld(&placed, &rounded, polygon.layer, &near, self.layout.reach),
+                };
+                corners = match welded {
                     Welded::Changed(corners, inserted) => {
                         counts.inserted_vertices += inserted;
-                        outline = Some(corners);
+                        self.changed = true;
+                        Some(corners)
                     }
-                }
+                    Welded::Squeezed => {
+                        counts.squeezed += 1;
+                        placement.is_baked().then_some(rounded)
+                    }
+                    Welded::Unchanged => placement.is_baked().then_some(rounded),
+                };
             }
-            self.changed |= outline.is_some();
-            let points: Vec<Point> = match outline {
+            let points: Vec<Point> = match corners {
                 Some(corners) => corners.into_iter().map(|corner| self.local(corner)).collect(),
-                None if self.placement().is_baked() => rounded().into_iter().map(|corner| self.local(corner)).collect(),
                 None => polygon.points.to_vec(),
             };
             let key = cell.add_polygon(&points, polygon.layer).map_err(|error| unfit(original, &error))?;
