@@ -1,7 +1,7 @@
 //! The one error of the scene graph and of generators.
 //!
-//! Every variant prints one sentence that names the cell and the rule. Errors are `Clone`, since a cache hands one
-//! failure to every caller that waited for it, and compare with `==`, so tests can state them. Context is added by
+//! Every variant prints one sentence that names the cell and the rule. Errors are `Clone` and
+//! compare with `==`, so tests can state them. Context is added by
 //! wrapping ([`Error::Context`]). `Display` prints the whole chain, outermost cell first, and `Debug` prints the same:
 //! `fn main() -> Result<()>` and `unwrap` show the sentence. `source()` is empty for that reason: a reporter that
 //! follows sources would print the chain twice.

@@ -57,7 +57,7 @@ use proc_macro::TokenStream;
 ///   `(7, 0)` or a set, `Option<T>` a bare `T` or `None`, `Vec<T>` anything that can be walked over. Integers, `bool`
 ///   and `char` stay as they are, since a literal could otherwise not tell its type;
 /// - `<Name>Params`, with a public field for each parameter, one setter of the same name (unless the struct has a
-///   method of this name, such as `build`), `build()` and `build_uncached()`; with `Default` if every parameter has a
+///   method of this name, such as `build`), `build()`; with `Default` if every parameter has a
 ///   default, otherwise with `new(…)`, which takes those that have none;
 /// - an entry in the registry of the program, under the name of the function.
 ///
@@ -65,7 +65,7 @@ use proc_macro::TokenStream;
 /// | option | meaning |
 /// |---|---|
 /// | `name = "L"` | another name in the registry |
-/// | `no_cache` | the body runs at every call |
+/// | `no_cache` | the body runs at every call. A caller goes around the cache with `phidl_core::cache::bypass` |
 /// | `example = TextParams::new("A")` | what galleries and tests draw; it may use `?`. Needed where there is no default |
 /// | `picture = "docs/pad.svg"` | a drawing, shown under the first paragraph of the documentation: the path of an SVG file from the folder of the crate. No blank line may be in it, since that ends HTML in Markdown |
 ///

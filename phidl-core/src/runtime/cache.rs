@@ -1,22 +1,20 @@
-//! The cache of finished cells: each parameter set of a generator is drawn once for the process.
+//! The cache of finished cells, bounded by bytes; the least recently used cell goes first.
 //!
-//! One table under one lock, bounded by bytes; the least recently used cell goes first. A hit holds the lock for a
-//! lookup only (the hash is computed before), and a body runs without it. Shards were left out: a lookup is shorter
-//! than the drawing of the smallest cell, and one table keeps one exact bound.
+//! One table under one lock. A hit holds the lock for a lookup only (the hash is computed before), and no body runs
+//! under it. Shards were rejected: a lookup is shorter than the drawing of the smallest cell, and one table keeps one
+//! exact bound. So was a crate with single flight: waiting for another thread can deadlock on workers of rayon.
 //!
-//! - Whoever asks for a cell that another thread is drawing waits for it and gets the same cell, or the same failure.
+//! - Threads that ask for a cell that is not there each draw it; the first finished cell is kept, and all get that one.
 //! - A failure is not stored: the next call runs the body again.
-//! - A body that panics releases those who wait; one of them runs the body again.
-//! - Waiting in a circle, also across threads, is [`Error::CyclicDependency`](crate::Error::CyclicDependency) for the thread that would
-//!   close the circle.
+//! - A generator that needs its own cell is [`Error::CyclicDependency`](crate::Error::CyclicDependency).
 
+use std::cell::Cell;
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 
 use lru::LruCache;
 use rustc_hash::FxBuildHasher;
 
 use super::ParamValues;
-use super::flight::Flights;
 use crate::scene::Device;
 
 /// How many bytes of cells are kept unless [`set_limit`] says otherwise: half a gibibyte.
@@ -25,9 +23,9 @@ pub const DEFAULT_LIMIT: usize = 512 << 20;
 /// What the cache has done since the program started or the counters were last [cleared](clear).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Stats {
-    /// Calls that were answered without running a body, those that waited for another thread included.
+    /// Calls that found their cell.
     pub hits: u64,
-    /// Calls that ran a body.
+    /// Calls that did not.
     pub misses: u64,
     /// Cells that were dropped to keep the limit.
     pub evictions: u64,
@@ -53,44 +51,83 @@ pub fn clear() {
     drop(cells); // without the lock: it may take a while
 }
 
-/// Keeps at most so many bytes of cells, counted without the cells they refer to. Zero keeps none.
+/// Keeps at most this many bytes of cells, counted without the cells they refer to. Zero keeps none.
 pub fn set_limit(bytes: usize) {
     let mut state = lock();
     state.limit = bytes;
     state.evict();
 }
 
-/// Everything that threads share.
-pub(super) struct State {
+/// Runs `work` without the cache: every cell that it builds on this thread is drawn, also those inside other cells, and
+/// none is kept. For measuring what drawing costs.
+///
+/// ```
+/// # use phidl_core::cache;
+/// let before = cache::stats();
+/// cache::bypass(|| { /* build cells */ });
+/// assert_eq!(cache::stats(), before);
+/// ```
+pub fn bypass<T>(work: impl FnOnce() -> T) -> T {
+    /// Ends the bypass, also after a panic.
+    struct Restore(bool);
+    impl Drop for Restore {
+        fn drop(&mut self) {
+            BYPASSED.set(self.0);
+        }
+    }
+    let _restore = Restore(BYPASSED.replace(true));
+    work()
+}
+
+/// Whether this thread is inside [`bypass`].
+pub(super) fn is_bypassed() -> bool {
+    BYPASSED.get()
+}
+
+/// The cell, if it is there.
+pub(super) fn get(key: &ParamValues) -> Option<Device> {
+    lock().get(key)
+}
+
+/// Keeps a cell unless one is kept already, and returns the one that is kept.
+pub(super) fn keep_first(key: &ParamValues, device: Device) -> Device {
+    lock().keep_first(key, device)
+}
+
+struct State {
     done: LruCache<ParamValues, Device, FxBuildHasher>,
     limit: usize,
-    pub(super) stats: Stats,
-    pub(super) flights: Flights,
+    stats: Stats,
 }
 
 static STATE: LazyLock<Mutex<State>> = LazyLock::new(|| Mutex::new(State::new(DEFAULT_LIMIT)));
 
-/// Nothing panics while the lock is held, and if it did, every table would still be whole.
-pub(super) fn lock() -> MutexGuard<'static, State> {
+thread_local! {
+    static BYPASSED: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Nothing panics while the lock is held, and if it did, the table would still be whole.
+fn lock() -> MutexGuard<'static, State> {
     STATE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 impl State {
     fn new(limit: usize) -> Self {
         let done = LruCache::unbounded_with_hasher(FxBuildHasher);
-        Self { done, limit, stats: Stats::default(), flights: Flights::default() }
+        Self { done, limit, stats: Stats::default() }
     }
 
     /// The finished cell, which becomes the most recently used one.
-    pub(super) fn hit(&mut self, key: &ParamValues) -> Option<Device> {
-        let device = self.done.get(key)?.clone();
-        self.stats.hits += 1;
-        Some(device)
+    fn get(&mut self, key: &ParamValues) -> Option<Device> {
+        let device = self.done.get(key).cloned();
+        let counter = if device.is_some() { &mut self.stats.hits } else { &mut self.stats.misses };
+        *counter += 1;
+        device
     }
 
     /// Keeps a cell, unless one is kept for the key: that one is returned. A cell that is larger than the limit is not
     /// kept, since all others would have to go for it.
-    pub(super) fn keep_first(&mut self, key: &ParamValues, device: Device) -> Device {
+    fn keep_first(&mut self, key: &ParamValues, device: Device) -> Device {
         if let Some(first) = self.done.get(key) {
             return first.clone();
         }
@@ -116,7 +153,7 @@ impl State {
 mod tests {
     use super::*;
 
-    /// A cell with so many points, 16 bytes each.
+    /// A cell with this many points, 16 bytes each.
     fn cell(points: u32) -> Device {
         let mut d = Device::builder("cell");
         let outline: Vec<(u32, u32)> = (0..points).map(|i| (i, i * i)).collect();
@@ -138,9 +175,9 @@ mod tests {
         for n in 0..3 {
             keep(&mut state, n, 1000);
         }
-        assert!(state.hit(&key(0)).is_some(), "all three fit, and this one was just used");
+        assert!(state.get(&key(0)).is_some(), "all three fit, and this one was just used");
         keep(&mut state, 3, 1000);
-        let kept: Vec<bool> = (0..4).map(|n| state.hit(&key(n)).is_some()).collect();
+        let kept: Vec<bool> = (0..4).map(|n| state.get(&key(n)).is_some()).collect();
         assert_eq!(kept, [true, false, true, true]);
         assert_eq!((state.stats.evictions, state.stats.bytes), (1, 3 * cell(1000).own_size()));
     }
@@ -150,7 +187,7 @@ mod tests {
         let mut state = State::new(cell(1000).own_size());
         keep(&mut state, 0, 10);
         keep(&mut state, 1, 2000);
-        assert!(state.hit(&key(0)).is_some() && state.hit(&key(1)).is_none());
+        assert!(state.get(&key(0)).is_some() && state.get(&key(1)).is_none());
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{GeneratorInfo, ParamReader, ParamValues, draw};
+use super::{GeneratorInfo, ParamReader, ParamValues, build};
 use crate::error::Result;
 use crate::param::Value;
 use crate::scene::Device;
@@ -40,14 +40,6 @@ pub trait Generator: Clone + std::fmt::Debug + PartialEq + Send + Sync + Sized +
     /// # Errors
     /// A bound that a parameter breaks, [`Error::CyclicDependency`](crate::Error::CyclicDependency), and what the body says.
     fn build(&self) -> Result<Device> {
-        draw::build(self)
-    }
-
-    /// The cell with these parameters, drawn anew: nothing is taken from the cache or put into it.
-    ///
-    /// # Errors
-    /// As for [`Generator::build`].
-    fn build_uncached(&self) -> Result<Device> {
-        draw::build_uncached(self)
+        build::build(self)
     }
 }

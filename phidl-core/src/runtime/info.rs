@@ -27,11 +27,8 @@ pub struct GeneratorInfo {
     example: fn() -> Result<ParamValues>,
     record: fn(&ParamReader<'_>) -> Result<ParamValues>,
     build: fn(&ParamReader<'_>) -> Result<Device>,
-    redraw: fn(&ParamReader<'_>) -> Result<Redraw>,
+    cached: bool,
 }
-
-/// A call whose parameters are read: draws the cell anew each time, as [`Generator::build_uncached`].
-pub type Redraw = Box<dyn Fn() -> Result<Device> + Send + Sync>;
 
 /// A parameter of a generator.
 #[derive(Debug, Clone, PartialEq)]
@@ -72,10 +69,7 @@ impl GeneratorInfo {
             example: || Ok(G::example()?.record()),
             record: |from| Ok(G::read(from)?.record()),
             build: |from| G::read(from)?.build(),
-            redraw: |from| {
-                let params = G::read(from)?;
-                Ok(Box::new(move || params.build_uncached()))
-            },
+            cached: true,
         }
     }
 
@@ -89,6 +83,18 @@ impl GeneratorInfo {
     #[must_use]
     pub const fn called(self, example: &'static str) -> Self {
         Self { example_source: example, ..self }
+    }
+
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn uncached(self) -> Self {
+        Self { cached: false, ..self }
+    }
+
+    /// Whether its cells are kept in the cache: unless it says `#[device(no_cache)]`.
+    #[must_use]
+    pub fn is_cached(&self) -> bool {
+        self.cached
     }
 
     /// The parameters, in the generator's order.
@@ -132,15 +138,6 @@ impl GeneratorInfo {
     /// As for [`GeneratorInfo::record`], and what the generator says.
     pub fn build(&'static self, params: &BTreeMap<String, Value>) -> Result<Device> {
         (self.build)(&ParamReader::new(self, params)?)
-    }
-
-    /// A way to draw the cell with these parameters again and again, past the cache: for measuring what a body costs.
-    /// Generators that the body calls use the cache as ever.
-    ///
-    /// # Errors
-    /// Parameters that cannot be read, as for [`GeneratorInfo::record`]; what is out of bounds, each drawing reports.
-    pub fn redraw(&'static self, params: &BTreeMap<String, Value>) -> Result<Redraw> {
-        (self.redraw)(&ParamReader::new(self, params)?)
     }
 
     /// The registered names of the parameters.

@@ -4,9 +4,8 @@
 //! process; [`registry`] lists every generator that is linked into the program and builds from plain values.
 //! A [`Partial`] is a generator with some parameters, not drawn yet: what sweeps take.
 
+mod build;
 pub mod cache;
-mod draw;
-mod flight;
 mod generator;
 mod info;
 mod param_values;
@@ -14,10 +13,9 @@ mod partial;
 mod reader;
 pub mod registry;
 mod stack;
-mod worker;
 
 pub use generator::Generator;
-pub use info::{GeneratorInfo, ParamInfo, Redraw};
+pub use info::{GeneratorInfo, ParamInfo};
 pub use param_values::ParamValues;
 pub use partial::Partial;
 pub use reader::ParamReader;

@@ -10,8 +10,8 @@ use crate::model::{Generator, Parameter};
 use crate::widen::Widen;
 
 /// Names that mean something else on a parameter struct: such a parameter has a field, but no setter.
-const TAKEN: [&str; 11] =
-    ["new", "default", "clone", "build", "build_uncached", "entry", "record", "example", "read", "defaults", "draw"];
+const TAKEN: [&str; 10] =
+    ["new", "default", "clone", "build", "entry", "record", "example", "read", "defaults", "draw"];
 
 pub(super) fn expand(generator: &Generator) -> TokenStream {
     let declared = declare(generator);
@@ -33,13 +33,6 @@ pub(super) fn expand(generator: &Generator) -> TokenStream {
             /// A bound that a parameter breaks, and what the generator says.
             #visibility fn build(&self) -> ::phidl_core::__private::Result<::phidl_core::__private::Device> {
                 ::phidl_core::__private::Generator::build(self)
-            }
-            /// The cell with these parameters, drawn anew: nothing is taken from the cache or put into it.
-            ///
-            /// # Errors
-            /// A bound that a parameter breaks, and what the generator says.
-            #visibility fn build_uncached(&self) -> ::phidl_core::__private::Result<::phidl_core::__private::Device> {
-                ::phidl_core::__private::Generator::build_uncached(self)
             }
             #(#defaults)*
         }

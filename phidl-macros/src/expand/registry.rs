@@ -35,6 +35,7 @@ fn entry(generator: &Generator) -> TokenStream {
     let rows = params.iter().map(row);
     let example = docs::example(generator);
     let picture = options.picture.as_ref().map(|file| quote!(.pictured(#file)));
+    let uncached = options.no_cache.then(|| quote!(.uncached()));
     quote! {
         fn entry() -> &'static ::phidl_core::__private::GeneratorInfo {
             static __ENTRY: ::phidl_core::__private::GeneratorInfo = ::phidl_core::__private::GeneratorInfo::new::<#struct_name>(
@@ -44,7 +45,7 @@ fn entry(generator: &Generator) -> TokenStream {
                 #docs,
                 &[#(#rows),*],
             )
-            .called(#example) #picture;
+            .called(#example) #picture #uncached;
             &__ENTRY
         }
     }
@@ -119,14 +120,7 @@ fn options(generator: &Generator) -> TokenStream {
             }
         }
     });
-    let uncached = generator.options.no_cache.then(|| {
-        quote! {
-            fn build(&self) -> ::phidl_core::__private::Result<::phidl_core::__private::Device> {
-                ::phidl_core::__private::Generator::build_uncached(self)
-            }
-        }
-    });
-    quote!(#example #uncached)
+    quote!(#example)
 }
 
 /// The body, as a function of its own: `return` and `?` mean what they mean in the source. The one name that it sees

@@ -1,4 +1,4 @@
-//! Generators that need each other in a circle.
+//! Generators that need their own cell.
 
 use std::sync::{Barrier, OnceLock};
 use std::thread;
@@ -9,7 +9,7 @@ use phidl_macros::device;
 fn chain_of(error: &Error) -> Vec<&str> {
     match error.root() {
         Error::CyclicDependency { chain } => chain.iter().map(String::as_str).collect(),
-        other => panic!("expected a circle, got {other}"),
+        other => panic!("expected a cycle, got {other}"),
     }
 }
 
@@ -31,13 +31,27 @@ fn a_generator_may_call_itself_with_other_parameters_only() {
     assert_eq!(chain_of(&snake(101).unwrap_err()), ["snake", "snake"]);
 }
 
+#[device]
+fn tower(#[default(0)] levels: i64) -> Result<Device> {
+    let mut d = Device::builder("tower");
+    d.add(tower(levels + 1)?);
+    d.build()
+}
+
+#[test]
+fn bodies_inside_each_other_are_counted_before_the_stack_overflows() {
+    let error = TowerParams::default().build().unwrap_err();
+    let message = "tower: generators call each other more than 256 levels deep";
+    assert_eq!(error.root().to_string(), message);
+}
+
 #[device(no_cache)]
 fn fresh_snake(#[default(1)] length: i64) -> Result<Device> {
     fresh_snake(length)
 }
 
 #[test]
-fn a_circle_is_found_without_the_cache_too() {
+fn a_cycle_is_found_without_the_cache_too() {
     assert_eq!(chain_of(&fresh_snake(1).unwrap_err()), ["fresh_snake", "fresh_snake"]);
 }
 
@@ -57,10 +71,10 @@ fn nest(#[default(1)] n: i64) -> Result<Device> {
 }
 
 #[test]
-fn the_chain_names_the_way_around() {
+fn the_chain_names_every_generator_of_the_cycle() {
     let error = hen(1).unwrap_err();
     assert_eq!(chain_of(&error), ["hen", "egg", "nest", "hen"]);
-    assert_eq!(error.root().to_string(), "generators wait for each other in a circle: hen → egg → nest → hen");
+    assert_eq!(error.root().to_string(), "a generator needs its own cell: hen → egg → nest → hen");
 }
 
 /// Meets the other body, so that both threads have begun before either asks.
@@ -82,7 +96,7 @@ fn yang() -> Result<Device> {
 }
 
 #[test]
-fn two_threads_that_wait_for_each_other_are_a_circle() {
+fn two_threads_that_draw_the_same_cycle_both_report_it() {
     let (one, other) = thread::scope(|scope| {
         let (one, other) = (scope.spawn(yin), scope.spawn(yang));
         (one.join().unwrap(), other.join().unwrap())

@@ -121,7 +121,7 @@ mod tests {
                 for turn in 0..4 {
                     for bend in [RouteBend::Circular, RouteBend::Euler, RouteBend::Gradual] {
                         let (a, b) = (Port::new((0, 0), 1e-3, 0), Port::new((far, -far), 1e-3, 90 * turn));
-                        let _ = crate::RouteManhattanParams::new(&a, &b).radius(radius).bend(bend).build_uncached();
+                        let _ = crate::RouteManhattanParams::new(&a, &b).radius(radius).bend(bend).build();
                     }
                 }
             }

@@ -101,7 +101,7 @@ proptest! {
         faces(&path, &ports)?;
         prop_assert!(tightest(&path) >= radius * (1.0 - 1e-4), "{} < {radius}", tightest(&path));
         let route = RouteManhattanParams::new(&ports[0], &ports[1]).bend(bend).radius(radius);
-        let Ok(route) = route.build_uncached() else {
+        let Ok(route) = route.build() else {
             // Only a wire too wide for its bends is refused.
             prop_assert!(ports[0].width() > 2.0 * radius);
             return Ok(());
@@ -117,7 +117,7 @@ proptest! {
         ports in ports(), bend in bend(), radius in 2.0..30.0, slim in 0.01..0.99,
     ) {
         let ports = ports.map(|port| port.with_width(2.0 * radius * slim));
-        let route = RouteManhattanParams::new(&ports[0], &ports[1]).bend(bend).radius(radius).build_uncached().unwrap();
+        let route = RouteManhattanParams::new(&ports[0], &ports[1]).bend(bend).radius(radius).build().unwrap();
         runs_over_itself_as_it_says(&route, ports[0].width())?;
         let size = manhattan_centerline(((0, 0), 1, 0), ((9e3, 9e3), 1, 270), bend, radius).unwrap().pieces()[0].length();
         let bend_size = 9e3 - size;
@@ -144,11 +144,11 @@ proptest! {
         let widths = [ports[0].width(), ports[1].width()];
         for options in [SmoothOptions::euler(), SmoothOptions::arc()] {
             let route = RouteSmoothParams::new(&ports[0], &ports[1]).radius(radius).smooth_options(options);
-            meets(&route.build_uncached().unwrap(), &ports, widths)?;
+            meets(&route.build().unwrap(), &ports, widths)?;
         }
         let narrower = [widths[0] / 2.0, widths[1]];
         let sharp = RouteSharpParams::new(&ports[0], &ports[1]).width((narrower[0], narrower[1]));
-        meets(&sharp.build_uncached().unwrap(), &ports, narrower)?;
+        meets(&sharp.build().unwrap(), &ports, narrower)?;
     }
 
     #[test]
@@ -161,7 +161,7 @@ proptest! {
             let params = RouteSharpParams::new(&ports[0], &ports[1]).path_type(path_type);
             let takes_length = matches!(path_type, PathType::U | PathType::Z);
             let params = if takes_length { params.length1(length) } else { params };
-            match params.build_uncached() {
+            match params.build() {
                 Ok(route) => meets(&route, &ports, [2.0, 2.0])?,
                 Err(error) => {
                     let text = error.report();
@@ -190,7 +190,7 @@ proptest! {
         prop_assert!((path.length() - length).abs() <= 1e-4, "{} instead of {length}", path.length());
         prop_assert!(tightest(&path) >= radius * (1.0 - 1e-4));
         let route = RouteSerpentineParams::new(&ports[0], &ports[1], length).bend(bend).radius(radius);
-        if let Ok(route) = route.build_uncached() {
+        if let Ok(route) = route.build() {
             meets(&route, &ports, [ports[0].width(); 2])?;
             runs_over_itself_as_it_says(&route, ports[0].width())?;
         }

@@ -1,6 +1,7 @@
 //! Manhattan routes beside PHIDL and gdstk.
 
 use anyhow::Context;
+use phidl_core::cache;
 use phidl_core::port::Port;
 use phidl_core::scene::Device;
 use phidl_route::{RouteManhattanParams, path_manhattan};
@@ -43,5 +44,5 @@ fn ways(pairs: &[[Port; 2]]) -> phidl_core::Result<f64> {
 }
 
 fn devices(pairs: &[[Port; 2]]) -> phidl_core::Result<Vec<Device>> {
-    pairs.iter().map(|[a, z]| RouteManhattanParams::new(a, z).radius(10).build_uncached()).collect()
+    cache::bypass(|| pairs.iter().map(|[a, z]| RouteManhattanParams::new(a, z).radius(10).build()).collect())
 }

@@ -22,7 +22,8 @@ pub(super) fn measure(sitting: &Sitting<'_>) -> anyhow::Result<Section> {
     cache::set_limit(0);
     let mut section = Section::new("Shapes", NOTES, &["PHIDL"]);
     for entry in entries {
-        let draw = entry.redraw(&entry.example()?.by_name())?;
+        let example = entry.example()?.by_name();
+        let draw = || entry.build(&example);
         draw().map_err(crate::report)?;
         section.add(format!("`{}`", entry.name), clock::best(&draw), &peers, entry.name);
     }
