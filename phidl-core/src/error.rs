@@ -107,7 +107,7 @@ pub enum Error {
         limit: u64,
     },
     /// A generator needs itself with the same parameters, directly or through others.
-    #[error("generators wait for each other in a circle: {}", .chain.join(" → "))]
+    #[error("a generator needs its own cell: {}", .chain.join(" → "))]
     CyclicDependency {
         /// The generators, the first one repeated at the end.
         chain: Vec<String>,

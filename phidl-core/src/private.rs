@@ -3,7 +3,7 @@
 pub use inventory;
 
 pub use crate::error::Result;
-pub use crate::param::{Bounds, Check, ConversionError, IntoOption, Param, ParamSpec, ParamType, Value};
+pub use crate::param::{Bounds, Check, ConversionError, IntoOption, Param, ParamSpec, ParamType, Unit, Value};
 pub use crate::runtime::registry::Registered;
 pub use crate::runtime::{Generator, GeneratorInfo, ParamReader, ParamValues};
 pub use crate::scene::Device;
@@ -26,7 +26,7 @@ pub fn option<T>(v: impl IntoOption<T>) -> Option<T> {
     v.into_option()
 }
 
-/// A list, from anything that can be walked over.
+/// A list, from any iterator.
 pub fn list<A, T>(v: impl IntoIterator<Item = A>, item: impl FnMut(A) -> T) -> Vec<T> {
     v.into_iter().map(item).collect()
 }
@@ -39,17 +39,17 @@ pub fn map<K: Into<String>, A, T>(
     v.into_iter().map(|(key, v)| (key.into(), item(v))).collect()
 }
 
-/// The value of a word of a choice.
+/// The value of a variant of a choice.
 #[must_use]
-pub fn choice_value(word: &'static str) -> Value {
-    Value::Text(word.to_owned())
+pub fn choice_value(name: &'static str) -> Value {
+    Value::Text(name.to_owned())
 }
 
-/// The place of a word among those of a choice, in any case of its letters.
+/// The index of a name among those of a choice. Capitals make no difference.
 ///
 /// # Errors
-/// [`ConversionError`] with the words that there are.
-pub fn choice_index(value: &Value, words: &'static [&'static str]) -> Result<usize, ConversionError> {
-    let place = value.as_str().and_then(|text| words.iter().position(|word| word.eq_ignore_ascii_case(text)));
-    place.ok_or_else(|| ConversionError::new(value, format!("be {}", ParamType::Choice(words))))
+/// [`ConversionError`] with the names that there are.
+pub fn choice_index(value: &Value, names: &'static [&'static str]) -> Result<usize, ConversionError> {
+    let index = value.as_str().and_then(|text| names.iter().position(|name| name.eq_ignore_ascii_case(text)));
+    index.ok_or_else(|| ConversionError::new(value, format!("be {}", ParamType::Choice(names))))
 }

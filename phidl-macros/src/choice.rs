@@ -1,10 +1,11 @@
-//! `#[derive(Choice)]`: enums of words as parameters.
+//! `#[derive(Choice)]`: enums without data as parameters, each variant under a name.
 
 use proc_macro2::TokenStream;
 use quote::quote;
-use syn::{Data, DeriveInput, Fields, LitStr, Meta, Variant};
+use syn::{Attribute, Data, DeriveInput, Fields, LitStr, Meta, Path, Variant};
 
 use crate::problems::Problems;
+use crate::root;
 
 pub(crate) fn derive(input: TokenStream) -> TokenStream {
     let input: DeriveInput = match syn::parse2(input) {
@@ -12,50 +13,71 @@ pub(crate) fn derive(input: TokenStream) -> TokenStream {
         Err(error) => return error.into_compile_error(),
     };
     let mut problems = Problems::default();
-    let words = words(&input, &mut problems);
-    problems.into_tokens().unwrap_or_else(|| expand(&input, &words))
+    let variants = named_variants(&input, &mut problems);
+    let given = crate_option(&input.attrs, &mut problems);
+    problems.into_tokens().unwrap_or_else(|| expand(&input, &variants, &root::path(given.as_ref())))
 }
 
-/// The variants with their words.
-fn words(input: &DeriveInput, problems: &mut Problems) -> Vec<(syn::Ident, LitStr)> {
+/// The variants with their names.
+fn named_variants(input: &DeriveInput, problems: &mut Problems) -> Vec<(syn::Ident, LitStr)> {
     let Data::Enum(data) = &input.data else {
-        problems.at(&input.ident, "a choice is an enum");
+        problems.at(&input.ident, "only an enum can be a choice");
         return Vec::new();
     };
     if !input.generics.params.is_empty() {
         problems.at(&input.generics, "a choice cannot be generic");
     }
     if data.variants.is_empty() {
-        problems.at(&input.ident, "a choice needs something to choose from");
+        problems.at(&input.ident, "a choice needs at least one variant");
     }
-    let mut words: Vec<(syn::Ident, LitStr)> = Vec::new();
+    let mut named: Vec<(syn::Ident, LitStr)> = Vec::new();
     for variant in &data.variants {
         if !matches!(variant.fields, Fields::Unit) {
-            problems.at(&variant.fields, "a choice is made of bare words");
+            problems.at(&variant.fields, "a variant of a choice cannot have fields");
         }
-        let word = word(variant, problems);
-        if words.iter().any(|(_, other)| other.value().eq_ignore_ascii_case(&word.value())) {
-            problems.at(&word, format_args!("two choices are named `{}`", word.value()));
+        let name = name(variant, problems);
+        if named.iter().any(|(_, other)| other.value().eq_ignore_ascii_case(&name.value())) {
+            problems.at(&name, format_args!("two variants are named `{}`", name.value()));
         }
-        words.push((variant.ident.clone(), word));
+        named.push((variant.ident.clone(), name));
     }
-    words
+    named
 }
 
 /// The text of `#[choice("…")]`, or the name of the variant in snake case.
-fn word(variant: &Variant, problems: &mut Problems) -> LitStr {
+fn name(variant: &Variant, problems: &mut Problems) -> LitStr {
     let mut given = None;
-    for attribute in variant.attrs.iter().filter(|attribute| attribute.path().is_ident("choice")) {
+    for attribute in attributes(&variant.attrs) {
         if given.is_some() {
-            problems.at(attribute, "the word is given twice");
+            problems.at(attribute, "the name of a variant is given twice");
         }
         let text = match &attribute.meta {
             Meta::List(_) => attribute.parse_args(),
-            other => Err(syn::Error::new_spanned(other, "a word stands in parentheses: `#[choice(\"x\")]`")),
+            other => Err(syn::Error::new_spanned(other, "a name stands in parentheses: `#[choice(\"x\")]`")),
         };
         given = problems.keep(text).or(given);
     }
     given.unwrap_or_else(|| LitStr::new(&snake_case(&variant.ident.to_string()), variant.ident.span()))
+}
+
+/// The path of `#[choice(crate = …)]` on the enum.
+fn crate_option(attrs: &[Attribute], problems: &mut Problems) -> Option<Path> {
+    let mut given = None;
+    for attribute in attributes(attrs) {
+        let read = attribute.parse_nested_meta(|meta| {
+            if !meta.path.is_ident("crate") {
+                return Err(meta.error("an enum takes the option `crate = …`; a name stands at a variant"));
+            }
+            given = Some(meta.value()?.parse()?);
+            Ok(())
+        });
+        let _noted = problems.keep(read);
+    }
+    given
+}
+
+fn attributes(attrs: &[Attribute]) -> impl Iterator<Item = &Attribute> {
+    attrs.iter().filter(|attribute| attribute.path().is_ident("choice"))
 }
 
 fn snake_case(name: &str) -> String {
@@ -69,33 +91,33 @@ fn snake_case(name: &str) -> String {
     snake
 }
 
-fn expand(input: &DeriveInput, words: &[(syn::Ident, LitStr)]) -> TokenStream {
+fn expand(input: &DeriveInput, named: &[(syn::Ident, LitStr)], root: &TokenStream) -> TokenStream {
     let name = &input.ident;
-    let (variants, words): (Vec<_>, Vec<_>) = words.iter().map(|(variant, word)| (variant, word)).unzip();
+    let (variants, names): (Vec<_>, Vec<_>) = named.iter().map(|(variant, name)| (variant, name)).unzip();
     quote! {
         #[automatically_derived]
-        impl ::phidl_core::param::Param for #name {
-            fn param_type() -> ::phidl_core::__private::ParamType {
-                ::phidl_core::__private::ParamType::Choice(&[#(#words),*])
+        impl #root::__private::Param for #name {
+            fn param_type() -> #root::__private::ParamType {
+                #root::__private::ParamType::Choice(&[#(#names),*])
             }
 
-            fn to_value(&self) -> ::phidl_core::__private::Value {
-                ::phidl_core::__private::choice_value(match self {
-                    #(Self::#variants => #words),*
+            fn to_value(&self) -> #root::__private::Value {
+                #root::__private::choice_value(match self {
+                    #(Self::#variants => #names),*
                 })
             }
 
             fn from_value(
-                value: &::phidl_core::__private::Value,
-            ) -> ::core::result::Result<Self, ::phidl_core::__private::ConversionError> {
+                value: &#root::__private::Value,
+            ) -> ::core::result::Result<Self, #root::__private::ConversionError> {
                 let choices = [#(Self::#variants),*];
-                let place = ::phidl_core::__private::choice_index(value, &[#(#words),*])?;
-                ::core::result::Result::Ok(::core::clone::Clone::clone(&choices[place]))
+                let index = #root::__private::choice_index(value, &[#(#names),*])?;
+                ::core::result::Result::Ok(::core::clone::Clone::clone(&choices[index]))
             }
         }
 
         #[automatically_derived]
-        impl ::phidl_core::param::IntoOption<#name> for #name {
+        impl #root::__private::IntoOption<#name> for #name {
             fn into_option(self) -> ::core::option::Option<#name> {
                 ::core::option::Option::Some(self)
             }
@@ -108,7 +130,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn words_are_variants_in_snake_case() {
+    fn names_are_variants_in_snake_case() {
         assert_eq!(snake_case("Fillet"), "fillet");
         assert_eq!(snake_case("AllAround"), "all_around");
     }

@@ -1,7 +1,7 @@
 //! `#[device]`: an ordinary function becomes a generator that is cached, documented and registered.
 //!
-//! See [`macro@device`], and [`macro@Choice`] for enums as parameters. What generated code calls lives in `phidl_core`,
-//! so a crate that uses the attribute depends on both.
+//! See [`macro@device`], and [`macro@Choice`] for enums as parameters. Generated code calls `phidl-core`, either
+//! directly or through `phidl`, whichever the crate depends on.
 
 mod check;
 mod choice;
@@ -9,11 +9,13 @@ mod expand;
 mod model;
 mod parse;
 mod problems;
+mod root;
+mod unit;
 mod widen;
 
 use proc_macro::TokenStream;
 
-/// Makes a generator of a function that draws a cell: cached, registered, and callable by position or by name.
+/// Turns a function that draws a cell into a generator: cached, registered, called by position or by name.
 ///
 /// ```
 /// use phidl_core::prelude::*;
@@ -41,7 +43,7 @@ use proc_macro::TokenStream;
 ///     d.build()
 /// }
 ///
-/// let a = pad((10, 5.5), 1)?; // by position: whatever converts without loss
+/// let a = pad((10, 5.5), 1)?; // by position; an argument may be anything that converts without loss
 /// let b = PadParams { size: (10, 5.5).into(), layer: 1.into(), ..Default::default() }.build()?; // by name
 /// let c = PadParams::default().size((10, 5.5)).layer(1).build()?; // by setters
 /// assert!(a.same_cell(&b) && b.same_cell(&c)); // drawn once
@@ -54,7 +56,7 @@ use proc_macro::TokenStream;
 /// # What is generated
 /// - the function itself, with its attributes, its visibility, its parameters in their order and a list of them
 ///   in its documentation. Each parameter takes what converts to it: `f64` any number that fits, `Layers` `7` or
-///   `(7, 0)` or a set, `Option<T>` a bare `T` or `None`, `Vec<T>` anything that can be walked over. Integers, `bool`
+///   `(7, 0)` or a set, `Option<T>` a bare `T` or `None`, `Vec<T>` any iterator. Integers, `bool`
 ///   and `char` stay as they are, since a literal could otherwise not tell its type;
 /// - `<Name>Params`, with a public field for each parameter, one setter of the same name (unless the struct has a
 ///   method of this name, such as `build`), `build()`; with `Default` if every parameter has a
@@ -65,6 +67,8 @@ use proc_macro::TokenStream;
 /// | option | meaning |
 /// |---|---|
 /// | `name = "L"` | another name in the registry |
+/// | `cell_name = "W{width}_P{pitch}"` | the name of its cells in files, with the values of parameters in braces: `W0p08_P0p16` |
+/// | `crate = my_crate::phidl_core` | the path of `phidl-core` for generated code. Needed only where the crate depends on neither `phidl-core` nor `phidl` under a name of its own |
 /// | `no_cache` | the body runs at every call. A caller goes around the cache with `phidl_core::cache::bypass` |
 /// | `example = TextParams::new("A")` | what galleries and tests draw; it may use `?`. Needed where there is no default |
 /// | `picture = "docs/pad.svg"` | a drawing, shown under the first paragraph of the documentation: the path of an SVG file from the folder of the crate. No blank line may be in it, since that ends HTML in Markdown |
@@ -73,7 +77,7 @@ use proc_macro::TokenStream;
 /// | attribute | meaning |
 /// |---|---|
 /// | `#[default(10)]` | its default, converted like an argument |
-/// | `#[param(unit = "um")]` | the unit of its numbers: shown in documentation and errors, told by the registry |
+/// | `#[param(unit = "um")]` | the unit of its numbers: shown in documentation, in errors and by the registry |
 /// | `#[param(min = 0, max = 1)]` | the range of its numbers, both ends included: checked before the body runs, also inside lists, options and pairs |
 /// | `#[param(above = 0, below = 1)]` | the same, both ends excluded |
 /// | `#[param(name = "R")]` | another name in the registry |
@@ -115,10 +119,11 @@ pub fn device(options: TokenStream, function: TokenStream) -> TokenStream {
     device_impl(options.into(), function.into()).into()
 }
 
-/// Lets an enum of bare words be a parameter.
+/// Makes an enum whose variants have no fields a parameter.
 ///
-/// In records and JSON a variant is its name in snake case, or the text of `#[choice("…")]`; capitals make no
-/// difference when it is read.
+/// In records and JSON a variant is written as its name in snake case, or as the text of `#[choice("…")]`. Capitals make
+/// no difference when it is read. `#[choice(crate = my_crate::phidl_core)]` on the enum is the path of `phidl-core`, as in
+/// [`macro@device`].
 ///
 /// ```
 /// use phidl_core::param::{Param, Value};

@@ -15,6 +15,8 @@ pub(crate) struct Generator {
     pub(crate) name: Ident,
     /// The name under which it is registered.
     pub(crate) registered: LitStr,
+    /// The crate that generated code calls.
+    pub(crate) root: TokenStream,
     /// `<Name>Params`.
     pub(crate) struct_name: Ident,
     pub(crate) params: Vec<Parameter>,
@@ -31,6 +33,8 @@ pub(crate) struct Options {
     pub(crate) no_cache: bool,
     /// The parameters with which galleries and tests draw it.
     pub(crate) example: Option<Expr>,
+    /// The template of the names of its cells in files.
+    pub(crate) cell_name: Option<LitStr>,
     /// The file of its drawing, from the folder of the crate.
     pub(crate) picture: Option<LitStr>,
 }

@@ -1,4 +1,4 @@
-//! [`Bounds`]: the range that `#[param(min = …)]` states, checked over the record of a parameter.
+//! [`Bounds`]: the range that `#[param(min = …)]` states, checked over the value of a parameter.
 
 use super::parameter::REFUSED;
 use super::unit::Quantity;
@@ -24,7 +24,7 @@ impl Bounds {
 
     /// The rule that a number breaks, as the end of "it must …".
     fn broken_by(&self, v: f64, unit: &str) -> Option<String> {
-        let rule = |words: &str, limit: f64| Some(format!("{words} {}", Quantity(limit, unit)));
+        let rule = |relation: &str, limit: f64| Some(format!("{relation} {}", Quantity(limit, unit)));
         if !v.is_finite() {
             return Some("be finite".to_owned());
         }
@@ -39,12 +39,13 @@ impl Bounds {
 
     /// Checks every number of a parameter: inside lists, maps and options, and each coordinate of a pair.
     ///
-    /// What is sound, which is nearly everything, needs no words for its place.
+    /// Nearly every value is valid, so the path of a number is written only after one was found to be wrong.
     pub(crate) fn check(&self, at: ParamPath<'_>, kind: fn() -> ParamType, value: &Value) -> Result<(), ParamError> {
         if self.admits(value) { Ok(()) } else { self.explain(at, &kind(), value) }
     }
 
-    /// Whether nothing is wrong for sure. A map may have an entry that is called like the mark of a refused port.
+    /// A fast check: true means valid; false means that `explain` must decide, since a map of the user may contain the
+    /// key that marks a refused port.
     fn admits(&self, value: &Value) -> bool {
         match value {
             Value::Float(v) => self.broken_by(*v, "").is_none(),
@@ -55,7 +56,7 @@ impl Bounds {
         }
     }
 
-    /// The first number that is wrong, with its place.
+    /// The first number that is wrong, with its path inside the parameter.
     fn explain(&self, at: ParamPath<'_>, kind: &ParamType, value: &Value) -> Result<(), ParamError> {
         let number = |v: f64| match self.broken_by(v, at.unit) {
             Some(rule) => Err(at.error(Quantity(v, at.unit).to_string(), rule)),
@@ -65,46 +66,46 @@ impl Bounds {
             Value::Float(v) => number(*v),
             Value::Int(v) => number(*v as f64),
             Value::List(list) => list.iter().enumerate().try_for_each(|(i, item)| {
-                let place = format!("{}{}", at.place, kind.place(i));
-                self.explain(ParamPath { place: &place, ..at }, kind.inner(), item)
+                let path = format!("{}{}", at.path, kind.component(i));
+                self.explain(ParamPath { path: &path, ..at }, kind.inner(), item)
             }),
             Value::Map(map) if *kind.inner() == ParamType::Port && map.contains_key(REFUSED) => {
                 let rule = format!("be placed with sound values, also by {}", map[REFUSED]);
                 Err(at.error("a port".to_owned(), rule))
             }
             Value::Map(map) => map.iter().try_for_each(|(key, item)| {
-                let place = format!("{}[{key:?}]", at.place);
-                self.explain(ParamPath { place: &place, ..at }, kind.inner(), item)
+                let path = format!("{}[{key:?}]", at.path);
+                self.explain(ParamPath { path: &path, ..at }, kind.inner(), item)
             }),
             Value::Null | Value::Bool(_) | Value::Text(_) | Value::Device(_) => Ok(()),
         }
     }
 }
 
-/// Which number is looked at.
+/// Which number is checked.
 #[derive(Clone, Copy)]
 pub(crate) struct ParamPath<'a> {
     pub(crate) device: &'a str,
-    /// The parameter with the place inside it.
-    pub(crate) place: &'a str,
+    /// The parameter with the path inside it: `size.width`.
+    pub(crate) path: &'a str,
     pub(crate) unit: &'a str,
 }
 
 impl ParamPath<'_> {
     fn error(&self, value: String, rule: String) -> ParamError {
-        ParamError { device: self.device.to_owned(), param: self.place.to_owned(), value, rule }
+        ParamError { device: self.device.to_owned(), param: self.path.to_owned(), value, rule }
     }
 }
 
 impl std::fmt::Display for Bounds {
-    /// As words for documents: `at least 0, less than 360`.
+    /// As documentation shows them: `at least 0, less than 360`.
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let words =
+        let limits =
             [("at least", self.min), ("more than", self.above), ("at most", self.max), ("less than", self.below)];
         let mut separator = "";
-        for (word, limit) in words {
+        for (relation, limit) in limits {
             if let Some(limit) = limit {
-                write!(f, "{separator}{word} {limit}")?;
+                write!(f, "{separator}{relation} {limit}")?;
                 separator = ", ";
             }
         }
@@ -119,7 +120,7 @@ mod tests {
     const RANGE: Bounds = Bounds { above: Some(0.0), max: Some(360.0), ..Bounds::NONE };
 
     fn checked(kind: fn() -> ParamType, value: impl Into<Value>) -> Result<(), String> {
-        let at = ParamPath { device: "ring", place: "p", unit: "um" };
+        let at = ParamPath { device: "ring", path: "p", unit: "µm" };
         RANGE.check(at, kind, &value.into()).map_err(|error| error.to_string())
     }
 

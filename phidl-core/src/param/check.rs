@@ -6,6 +6,7 @@
 use super::ParamSpec;
 use super::unit::Quantity;
 use crate::error::{Error, ParamError, Result};
+use crate::num::count;
 
 /// Rules over the parameters of one generator. A broken rule is an error with device, parameter, value and rule. NaN
 /// and infinity break every rule.
@@ -15,7 +16,7 @@ use crate::error::{Error, ParamError, Result};
 ///
 /// ```
 /// # use phidl_core::param::Check;
-/// let check = Check::new("optimal_hairpin").unit("um"); // in a generator: `check` is there
+/// let check = Check::new("optimal_hairpin").unit("µm"); // in a generator: `check` is there
 /// let (pitch, width) = (0.2, 0.35);
 /// assert_eq!(
 ///     check.greater("pitch", pitch, ("width", width)).unwrap_err().to_string(),
@@ -30,7 +31,7 @@ pub struct Check<'a> {
     device: &'a str,
     /// The parameters that have units.
     params: &'a [ParamSpec],
-    /// The unit of all numbers, whatever `params` say.
+    /// The sign of the unit of all numbers, whatever `params` say.
     unit: Option<&'a str>,
 }
 
@@ -83,11 +84,10 @@ impl<'a> Check<'a> {
         Self { device, params, unit: None }
     }
 
-    /// The same rules for a number in this unit, spelled as in `#[param(unit = …)]`: for one that is computed from
-    /// parameters.
+    /// The same rules for a number that is computed from parameters, shown with this sign of its unit: `µm`.
     #[must_use]
-    pub fn unit(self, unit: &'a str) -> Self {
-        Self { unit: Some(unit), ..self }
+    pub fn unit(self, sign: &'a str) -> Self {
+        Self { unit: Some(sign), ..self }
     }
 
     /// The parameter must be a finite number.
@@ -137,6 +137,13 @@ impl<'a> Check<'a> {
         self.at_most(param, value, high)
     }
 
+    /// A count that the parameters decide, such as the points of a curve, must not be greater than
+    /// [`count::MOST`]. To be checked before memory is taken for them.
+    #[expect(clippy::missing_errors_doc, reason = "stated for all rules in `finite`")]
+    pub fn count(&self, what: &str, n: impl ToF64) -> Result<()> {
+        self.at_most(what, n, count::MOST)
+    }
+
     /// Any other rule: refuses the parameter unless the condition holds. The rule is the end of "it must …".
     ///
     /// ```
@@ -154,7 +161,7 @@ impl<'a> Check<'a> {
         &self,
         param: &str,
         value: f64,
-        words: &str,
+        relation: &str,
         limit: Bound<'_>,
         holds: impl Fn(f64, f64) -> bool,
     ) -> Result<()> {
@@ -162,8 +169,8 @@ impl<'a> Check<'a> {
         self.require(param, value, holds(value, limit.number), || {
             let number = Quantity(limit.number, self.unit_of(param));
             match limit.name {
-                Some(name) => format!("be {words} {name}, {number}"),
-                None => format!("be {words} {number}"),
+                Some(name) => format!("be {relation} {name}, {number}"),
+                None => format!("be {relation} {number}"),
             }
         })
     }
@@ -175,10 +182,10 @@ impl<'a> Check<'a> {
         Err(self.error(param, Quantity(value, self.unit_of(param)).to_string(), rule()))
     }
 
-    /// The unit of a parameter or of a part of one, such as `size.width` or `gaps[2]`.
+    /// The sign of the unit of a parameter or of a part of one, such as `size.width` or `gaps[2]`.
     fn unit_of(&self, param: &str) -> &'a str {
         let name = param.split(['.', '[']).next().unwrap_or(param);
-        let stated = || self.params.iter().find(|spec| spec.name() == name).map(ParamSpec::unit);
+        let stated = || self.params.iter().find(|spec| spec.name() == name).map(|spec| spec.unit().sign());
         self.unit.or_else(stated).unwrap_or_default()
     }
 
@@ -202,7 +209,16 @@ mod tests {
     }
 
     #[test]
-    fn a_number_that_is_none_breaks_every_rule() {
+    fn counts_have_one_limit() {
+        let check = Check::new("ellipse");
+        assert!(check.count("number of points", count::MOST).is_ok());
+        let error = check.count("number of points", count::MOST + 1).unwrap_err();
+        let sentence = "ellipse: number of points is 16777217, but it must be at most 16777216";
+        assert_eq!(error.to_string(), sentence);
+    }
+
+    #[test]
+    fn nan_and_infinity_break_every_rule() {
         let check = Check::new("ring");
         for broken in [
             check.finite("width", f64::NAN),

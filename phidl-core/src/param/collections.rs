@@ -74,14 +74,14 @@ mod tests {
     }
 
     #[test]
-    fn no_layer_is_not_the_same_as_no_word_about_layers() {
+    fn no_layer_is_not_the_same_as_no_value() {
         for layers in [None, Some(Layers::NONE), Some(Layers::from(3))] {
             assert_eq!(Option::<Layers>::from_value(&layers.to_value()).unwrap(), layers);
         }
     }
 
     #[test]
-    fn a_wrong_item_is_told_with_its_index() {
+    fn a_wrong_item_is_named_by_its_index() {
         let list = Value::from(vec![Value::from(1), Value::from("x")]);
         assert_eq!(Vec::<f64>::from_value(&list).unwrap_err().to_string(), "[1] is \"x\", but it must be a number");
         assert!(Vec::<f64>::from_value(&Value::from(1)).is_err());

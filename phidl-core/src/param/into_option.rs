@@ -1,7 +1,7 @@
 //! [`IntoOption`]: `5`, `5.0` and `None`, all for an optional length.
 //!
-//! The table is written out type by type. A blanket "whatever converts" would make a bare `None` ambiguous: the
-//! compiler could not tell which type is missing.
+//! The table is written out type by type. A blanket implementation for every type that converts would make a bare
+//! `None` ambiguous: the compiler could not infer the type.
 
 use std::collections::BTreeMap;
 

@@ -22,6 +22,7 @@ pub use into_option::IntoOption;
 pub use param_type::ParamType;
 pub use parameter::Param;
 pub use spec::ParamSpec;
+pub use unit::Unit;
 pub use value::Value;
 
 pub(crate) use bounds::ParamPath;

@@ -1,8 +1,8 @@
-//! [`ParamType`]: what sort of value a parameter takes, in words.
+//! [`ParamType`]: which values a parameter takes.
 
-/// The type of a parameter as the registry tells it.
+/// The type of a parameter in the registry.
 ///
-/// `Display` gives it in words: `number`, `list of integer`, `one of straight, fillet`.
+/// `Display` writes it as text: `number`, `list of integer`, `one of straight, fillet`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 #[expect(missing_docs, reason = "most variants are what they are called")]
@@ -24,22 +24,22 @@ pub enum ParamType {
     Generator,
     /// Any [`Value`](super::Value).
     Any,
-    /// One of these words.
+    /// One of these names.
     Choice(&'static [&'static str]),
     List(Box<ParamType>),
     /// Values by name.
     Map(Box<ParamType>),
-    /// The inner kind or nothing.
+    /// A value of the inner type or none.
     Optional(Box<ParamType>),
-    /// A type of the user's own, in the user's words.
+    /// A type of the user, described by the user.
     Other(&'static str),
 }
 
 impl ParamType {
-    /// How a number stands inside a value of this kind: `.width` for the first number of a size.
-    pub(crate) fn place(&self, index: usize) -> String {
+    /// The path of a component inside a value of this type: `.width` for the first number of a size.
+    pub(crate) fn component(&self, index: usize) -> String {
         match (self, index) {
-            (Self::Optional(inner), _) => inner.place(index),
+            (Self::Optional(inner), _) => inner.component(index),
             (Self::Point, 0) => ".x".to_owned(),
             (Self::Point, 1) => ".y".to_owned(),
             (Self::Size, 0) => ".width".to_owned(),
@@ -48,7 +48,7 @@ impl ParamType {
         }
     }
 
-    /// The kind of what stands inside a list, a map or an option; a coordinate of a point is a number.
+    /// The type of the items of a list, a map or an option; a coordinate of a point is a number.
     pub(crate) fn inner(&self) -> &Self {
         match self {
             Self::List(inner) | Self::Map(inner) => inner,
@@ -75,11 +75,11 @@ impl std::fmt::Display for ParamType {
             Self::Device => "device",
             Self::Generator => "generator",
             Self::Any => "any value",
-            Self::Choice(words) => return write!(f, "one of {}", words.join(", ")),
+            Self::Choice(names) => return write!(f, "one of {}", names.join(", ")),
             Self::List(inner) => return write!(f, "list of {inner}"),
             Self::Map(inner) => return write!(f, "map of names to {inner}"),
             Self::Optional(inner) => return write!(f, "{inner} or none"),
-            Self::Other(words) => words,
+            Self::Other(description) => description,
         })
     }
 }
@@ -90,12 +90,12 @@ mod tests {
 
     #[test]
     fn the_coordinates_of_an_optional_size_have_names() {
-        assert_eq!(ParamType::Optional(Box::new(ParamType::Size)).place(1), ".height");
-        assert_eq!(ParamType::List(Box::new(ParamType::Size)).place(1), "[1]");
+        assert_eq!(ParamType::Optional(Box::new(ParamType::Size)).component(1), ".height");
+        assert_eq!(ParamType::List(Box::new(ParamType::Size)).component(1), "[1]");
     }
 
     #[test]
-    fn kinds_are_told_in_words() {
+    fn types_are_written_as_text() {
         let list = ParamType::List(Box::new(ParamType::Optional(Box::new(ParamType::Number))));
         assert_eq!(list.to_string(), "list of number or none");
         assert_eq!(ParamType::Choice(&["straight", "fillet"]).to_string(), "one of straight, fillet");

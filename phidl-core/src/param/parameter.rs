@@ -2,7 +2,7 @@
 //!
 //! One pair of functions per type carries a parameter everywhere: into the key of the cache, the record in the
 //! finished cell, and to and from JSON. Deriving serde for the parameter structs was the alternative; it would have
-//! tied the key to a format, doubled the code of every generator, and said nothing about kinds and places of errors.
+//! tied the key to a format, doubled the code of every generator, and said nothing about the types and paths in errors.
 
 use super::{ConversionError, ParamType, Value};
 use crate::geom::{Point, Size};
@@ -11,7 +11,7 @@ use crate::port::Port;
 
 /// A type that a parameter of a generator can have.
 ///
-/// A type of your own needs `#[derive(Choice)]` (an enum of words) or an implementation by hand, where
+/// A type of your own needs `#[derive(Choice)]` (an enum without fields) or an implementation by hand, where
 /// `from_value(&to_value(x))` gives back `x` for every finite `x`, and different `x` have different values.
 ///
 /// ```
@@ -37,19 +37,19 @@ use crate::port::Port;
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot be a parameter of a device generator",
     label = "not a parameter",
-    note = "parameters are numbers, bools, text, points, sizes, layers, ports, devices, recipes, values, lists, maps and options of them, and enums with `#[derive(Choice)]`"
+    note = "parameters are numbers, bools, text, points, sizes, layers, ports, devices, partial applications of generators, values, lists, maps and options of them, and enums with `#[derive(Choice)]`"
 )]
 pub trait Param: Clone + std::fmt::Debug + PartialEq + Send + Sync + 'static {
     /// What it takes, for the registry.
     fn param_type() -> ParamType;
 
-    /// The parameter as a plain value.
+    /// The parameter as a value.
     fn to_value(&self) -> Value;
 
-    /// The parameter from a plain value.
+    /// The parameter from a value.
     ///
     /// # Errors
-    /// [`ConversionError`] if the value is of another kind. Nothing is rounded or cut to make it fit.
+    /// [`ConversionError`] if the value has another type. Nothing is rounded or cut to make it fit.
     fn from_value(value: &Value) -> Result<Self, ConversionError>;
 
     /// The value inside an option, where null means none.
@@ -183,7 +183,7 @@ fn pair(value: &Value, kind: &ParamType, rule: &str) -> Result<(f64, f64), Conve
     let Some([a, b]) = value.as_list() else {
         return Err(ConversionError::new(value, rule));
     };
-    let number = |index, v| f64::from_value(v).map_err(|mismatch| mismatch.at(kind.place(index)));
+    let number = |index, v| f64::from_value(v).map_err(|mismatch| mismatch.at(kind.component(index)));
     Ok((number(0, a)?, number(1, b)?))
 }
 
@@ -256,7 +256,7 @@ impl Param for Layers {
         }
     }
 
-    /// "No layer" is not "nothing said about the layer".
+    /// "On no layer" and "no value for the layer" are two values.
     fn to_some_value(&self) -> Value {
         match self.to_value() {
             Value::Null => Value::Map([("layers".to_owned(), Value::List(Vec::new()))].into()),
@@ -265,8 +265,8 @@ impl Param for Layers {
     }
 }
 
-/// The entry of a port whose placement was refused: the word. Without it, such a port would look like a sound one to
-/// the cache. [`Bounds`](super::Bounds) refuse the entry.
+/// The entry of a port whose placement was refused: the placement method. Without it, such a port would equal a valid
+/// one as a key of the cache. [`Bounds`](super::Bounds) refuse the entry.
 pub(super) const REFUSED: &str = "refused";
 
 impl Param for Port {
@@ -347,7 +347,7 @@ mod tests {
     }
 
     #[test]
-    fn what_does_not_fit_is_told_with_its_place() {
+    fn a_value_of_another_type_is_named_with_its_path() {
         let size = Value::from(vec![Value::from(1.0), Value::from("x")]);
         assert_eq!(Size::from_value(&size).unwrap_err().to_string(), ".height is \"x\", but it must be a number");
         let port = Value::Map([("midpoint".to_owned(), Value::from(vec![1, 2])), ("w".to_owned(), 1.into())].into());

@@ -53,9 +53,9 @@ impl Serialize for Params<'_> {
 }
 
 impl<'de> Deserialize<'de> for Value {
-    /// Plain values only: a device comes as a map, and the parameter that takes it has it drawn.
+    /// A device is read as a map; the parameter that takes it draws it.
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(Plain)
+        deserializer.deserialize_any(ValueVisitor)
     }
 }
 
@@ -77,9 +77,9 @@ impl<'de> Deserialize<'de> for Partial {
     }
 }
 
-struct Plain;
+struct ValueVisitor;
 
-impl<'de> Visitor<'de> for Plain {
+impl<'de> Visitor<'de> for ValueVisitor {
     type Value = Value;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -158,14 +158,14 @@ mod tests {
     }
 
     #[test]
-    fn a_device_that_no_generator_drew_is_written_with_its_content() {
+    fn a_device_without_generator_is_written_with_its_content() {
         let device = Device::builder("pad").build().unwrap();
         let json = serde_json::to_value(Value::from(device.clone())).unwrap();
         assert_eq!(json, serde_json::json!({"device": "pad", "content": device.content_hash().to_string()}));
     }
 
     #[test]
-    fn what_cannot_be_kept_is_refused() {
+    fn numbers_out_of_range_and_repeated_keys_are_refused() {
         assert!(serde_json::from_str::<Value>("18446744073709551615").is_err());
         assert!(serde_json::from_str::<Value>("{\"a\": 1, \"a\": 2}").is_err());
     }

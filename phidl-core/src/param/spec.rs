@@ -1,6 +1,6 @@
 //! [`ParamSpec`]: a parameter of a generator as `#[device]` states it.
 
-use super::{Bounds, Param, ParamPath, ParamType, Value};
+use super::{Bounds, Param, ParamPath, ParamType, Unit, Value};
 use crate::error::ParamError;
 
 /// A parameter of a generator: name, documentation, type, unit and bounds. (Generated code makes it.)
@@ -9,14 +9,14 @@ pub struct ParamSpec {
     name: &'static str,
     docs: &'static str,
     param_type: fn() -> ParamType,
-    unit: &'static str,
+    unit: Unit,
     bounds: Bounds,
 }
 
 impl ParamSpec {
     #[doc(hidden)]
     #[must_use]
-    pub const fn new<T: Param>(name: &'static str, docs: &'static str, unit: &'static str, bounds: Bounds) -> Self {
+    pub const fn new<T: Param>(name: &'static str, docs: &'static str, unit: Unit, bounds: Bounds) -> Self {
         Self { name, docs: docs.trim_ascii(), param_type: T::param_type, unit, bounds }
     }
 
@@ -38,9 +38,9 @@ impl ParamSpec {
         (self.param_type)()
     }
 
-    /// The unit of its numbers, spelled as in `#[param(unit = …)]`; empty if there is none.
+    /// The unit of its numbers.
     #[must_use]
-    pub fn unit(&self) -> &'static str {
+    pub fn unit(&self) -> Unit {
         self.unit
     }
 
@@ -52,7 +52,7 @@ impl ParamSpec {
 
     /// Refuses a value with a number that is out of bounds or not finite.
     pub(crate) fn check(&self, device: &str, value: &Value) -> Result<(), ParamError> {
-        let at = ParamPath { device, place: self.name, unit: self.unit };
+        let at = ParamPath { device, path: self.name, unit: self.unit.sign() };
         self.bounds.check(at, self.param_type, value)
     }
 }

@@ -6,12 +6,13 @@
 use std::collections::BTreeMap;
 use std::hash::{Hash, Hasher};
 
+use super::unit::Readable;
 use crate::geom::{Point, Size};
 use crate::layer::{Layer, Layers};
 use crate::port::Port;
 use crate::scene::Device;
 
-/// A plain value: a parameter as a record of it, or an entry of a cell's info.
+/// A value: a parameter as a record of it, or an entry of a cell's info.
 ///
 /// Two floats are equal if their bits are (`-0.0` counts as `0.0`), so a value can be a key.
 #[derive(Debug, Clone)]
@@ -54,6 +55,22 @@ impl Value {
         match self {
             Self::List(list) => Some(list),
             _ => None,
+        }
+    }
+
+    /// The value as part of a name: `0.5` is `0p5`, `-3` is `m3`, a list is `1x2`, text keeps its letters and digits.
+    /// `None` for null, maps and devices, which have no short form.
+    #[must_use]
+    pub fn short(&self) -> Option<String> {
+        match self {
+            Self::Int(_) | Self::Float(_) => Some(self.to_string().replace('-', "m").replace('.', "p")),
+            Self::Bool(v) => Some(v.to_string()),
+            Self::Text(text) => Some(text.replace(|c: char| !c.is_ascii_alphanumeric(), "_")),
+            Self::List(list) => {
+                let parts: Option<Vec<String>> = list.iter().map(Self::short).collect();
+                Some(parts?.join("x"))
+            }
+            Self::Null | Self::Map(_) | Self::Device(_) => None,
         }
     }
 
@@ -115,7 +132,7 @@ impl std::fmt::Display for Value {
             Self::Null => f.write_str("none"),
             Self::Bool(v) => v.fmt(f),
             Self::Int(v) => v.fmt(f),
-            Self::Float(v) => v.fmt(f),
+            Self::Float(v) => Readable(*v).fmt(f),
             Self::Text(v) => write!(f, "{v:?}"),
             Self::List(list) => {
                 f.write_str("[")?;
@@ -247,14 +264,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn both_zeros_are_one_value_and_numbers_keep_their_kind() {
+    fn both_zeros_are_one_value_and_numbers_keep_their_type() {
         assert_eq!(Value::from(-0.0), Value::from(0.0));
         assert_ne!(Value::from(1), Value::from(1.0));
         assert_ne!(Value::from(0.1 + 0.2), Value::from(0.3));
     }
 
     #[test]
-    fn layers_are_written_as_short_as_they_can_be() {
+    fn layers_are_written_in_their_shortest_form() {
         assert_eq!(Value::from(&Layers::from(7)).to_string(), "7");
         assert_eq!(Value::from(&Layers::from((7, 3))).to_string(), "[7, 3]");
         assert_eq!(Value::from(&Layers::from([1, 2])).to_string(), "{layers: [1, 2]}");
@@ -262,7 +279,16 @@ mod tests {
     }
 
     #[test]
-    fn a_number_that_is_none_is_found_at_any_depth() {
+    fn values_have_short_forms_for_names() {
+        let cases = [(Value::from(0.5), "0p5"), ((-3).into(), "m3"), ([1, 2].into(), "1x2"), ("N E".into(), "N_E")];
+        for (value, expected) in cases {
+            assert_eq!(value.short().as_deref(), Some(expected));
+        }
+        assert_eq!(Value::Null.short(), None);
+    }
+
+    #[test]
+    fn nan_is_found_at_any_depth() {
         assert!(!Value::from(vec![Value::from(1), Value::from(vec![f64::NAN])]).is_finite());
         assert!(Value::from(vec![1.0]).is_finite());
     }

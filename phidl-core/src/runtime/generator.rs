@@ -9,15 +9,15 @@ use crate::scene::Device;
 
 /// The parameters of a generator, as `#[device]` declares them.
 ///
-/// It is not meant to be implemented by hand; its hidden items are what the macro fills in and may change.
+/// It is not meant to be implemented by hand: `#[device]` implements its hidden items, which may change.
 pub trait Generator: Clone + std::fmt::Debug + PartialEq + Send + Sync + Sized + 'static {
-    /// What the registry knows of the generator.
+    /// The entry of the generator in the registry.
     fn entry() -> &'static GeneratorInfo;
 
-    /// Every parameter as a plain value.
+    /// The values of all parameters.
     fn record(&self) -> ParamValues;
 
-    /// Takes every parameter from plain values, or its default.
+    /// Takes every parameter from values, or its default.
     #[doc(hidden)]
     fn read(from: &ParamReader<'_>) -> Result<Self>;
 
@@ -25,7 +25,7 @@ pub trait Generator: Clone + std::fmt::Debug + PartialEq + Send + Sync + Sized +
     #[doc(hidden)]
     fn defaults() -> Vec<Option<Value>>;
 
-    /// What galleries and tests draw.
+    /// The parameters with which galleries and tests draw it.
     #[doc(hidden)]
     fn example() -> Result<Self> {
         Self::read(&ParamReader::new(Self::entry(), &BTreeMap::new())?)
@@ -38,7 +38,7 @@ pub trait Generator: Clone + std::fmt::Debug + PartialEq + Send + Sync + Sized +
     /// The cell with these parameters: drawn when first asked for, then from the cache.
     ///
     /// # Errors
-    /// A bound that a parameter breaks, [`Error::CyclicDependency`](crate::Error::CyclicDependency), and what the body says.
+    /// A bound that a parameter breaks, [`Error::CyclicDependency`](crate::Error::CyclicDependency), and the errors of the body.
     fn build(&self) -> Result<Device> {
         build::build(self)
     }

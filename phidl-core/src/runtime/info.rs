@@ -1,27 +1,29 @@
-//! [`GeneratorInfo`]: what the registry knows of a generator.
+//! [`GeneratorInfo`]: a generator as the registry lists it.
 
 use std::collections::BTreeMap;
 
 use super::{Generator, ParamReader, ParamValues};
 use crate::error::Result;
-use crate::param::{Bounds, Check, ParamSpec, ParamType, Value};
+use crate::param::{Bounds, Check, ParamSpec, ParamType, Unit, Value};
 use crate::scene::{Device, Source};
 
 /// A generator that is linked into the program.
 pub struct GeneratorInfo {
     /// The name under which it is registered.
     pub name: &'static str,
-    /// Path of the module it stands in.
+    /// The path of its module.
     pub module: &'static str,
-    /// Version of the crate it stands in.
+    /// The version of its crate.
     pub version: &'static str,
     /// Its documentation, in Markdown, without its drawing.
     pub docs: &'static str,
     /// The file of its drawing, from the folder of its crate.
     pub picture: Option<&'static str>,
-    /// The parameters of its [`example`](GeneratorInfo::example) as the source has them, `RingParams::default()`; empty if there
+    /// The parameters of its [`example`](GeneratorInfo::example) as Rust source, `RingParams::default()`; empty if there
     /// is none.
     pub example_source: &'static str,
+    /// The template of the names of its cells in files, `snspd_W{wire_width}_P{wire_pitch}`, if it has one.
+    pub cell_name: Option<&'static str>,
     rows: &'static [ParamSpec],
     defaults: fn() -> Vec<Option<Value>>,
     example: fn() -> Result<ParamValues>,
@@ -37,13 +39,13 @@ pub struct ParamInfo {
     pub name: &'static str,
     /// Its documentation, in Markdown.
     pub docs: &'static str,
-    /// What it takes.
+    /// The type of its values.
     pub kind: ParamType,
     /// The unit of its numbers, spelled as in `#[param(unit = …)]`.
     pub unit: Option<&'static str>,
     /// The range of its numbers.
     pub bounds: Bounds,
-    /// What it is if it is not given; `None` if it must be given.
+    /// Its value if none is given; `None` if it must be given.
     pub default: Option<Value>,
 }
 
@@ -64,6 +66,7 @@ impl GeneratorInfo {
             docs: docs.trim_ascii(),
             picture: None,
             example_source: "",
+            cell_name: None,
             rows,
             defaults: G::defaults,
             example: || Ok(G::example()?.record()),
@@ -77,6 +80,12 @@ impl GeneratorInfo {
     #[must_use]
     pub const fn pictured(self, file: &'static str) -> Self {
         Self { picture: Some(file), ..self }
+    }
+
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn naming_cells(self, template: &'static str) -> Self {
+        Self { cell_name: Some(template), ..self }
     }
 
     #[doc(hidden)]
@@ -104,7 +113,7 @@ impl GeneratorInfo {
             name: row.name(),
             docs: row.docs(),
             kind: row.param_type(),
-            unit: (!row.unit().is_empty()).then_some(row.unit()),
+            unit: (row.unit() != Unit::NONE).then_some(row.unit().name()),
             bounds: row.bounds(),
             default,
         };
@@ -125,7 +134,7 @@ impl GeneratorInfo {
     ///
     /// # Errors
     /// [`Error::Unknown`](crate::Error::Unknown) for a parameter that is not there,
-    /// [`ParamError`](crate::error::ParamError) for one that is missing, of another kind or out of its bounds.
+    /// [`ParamError`](crate::error::ParamError) for one that is missing, of another type or out of its bounds.
     pub fn record(&'static self, params: &BTreeMap<String, Value>) -> Result<ParamValues> {
         let record = (self.record)(&ParamReader::new(self, params)?)?;
         self.check_bounds(&record)?;

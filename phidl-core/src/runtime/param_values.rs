@@ -1,4 +1,4 @@
-//! [`ParamValues`]: the parameters of a call as plain values, and which generator with which parameters it is.
+//! [`ParamValues`]: the parameters of a call as values, and the identity of the call for the cache.
 
 use std::any::TypeId;
 use std::collections::BTreeMap;
@@ -11,22 +11,22 @@ use triomphe::ThinArc;
 use super::Generator;
 use crate::param::Value;
 
-/// Every parameter of a generator as a plain value, by its registered name, in the generator's order.
+/// The value of every parameter of a generator, by its registered name, in the generator's order.
 ///
 /// The one walk over the parameters: the key of the cache, the [`Source`](crate::scene::Source) of the cell and what is
-/// written to JSON are all made of it, so they cannot drift apart. A clone shares it. Records are equal if they are of
-/// the same generator and hold equal values, floats by their bits.
+/// written to JSON are all made of it, so they cannot differ. A clone shares it. Two are equal if they belong to the same
+/// generator and hold equal values, floats by their bits.
 #[derive(Clone)]
 pub struct ParamValues(ThinArc<Call, (&'static str, Value)>);
 
-/// What a record is looked up by: computed once, before the lock of the cache is taken.
+/// The key of the cache: its hash is computed once, before the lock of the cache is taken.
 struct Call {
     generator: TypeId,
     hash: u64,
 }
 
 impl ParamValues {
-    /// The record of a generator. (Generated code makes it.)
+    /// The values of a generator. (Generated code makes them.)
     #[doc(hidden)]
     #[must_use]
     pub fn of<G: Generator, const N: usize>(mut params: [(&'static str, Value); N]) -> Self {
@@ -38,7 +38,7 @@ impl ParamValues {
         generator.hash(&mut hasher);
         params.iter().for_each(|(_, value)| value.hash(&mut hasher));
         let call = Call { generator, hash: hasher.finish() };
-        // One by one out of the caller's array, which as a whole would be moved twice on the way.
+        // One by one out of the caller's array, which as a whole would be moved twice.
         let params = params.iter_mut().map(|(name, value)| (*name, std::mem::replace(value, Value::Null)));
         Self(ThinArc::from_header_and_iter(call, params))
     }
@@ -55,7 +55,7 @@ impl ParamValues {
 }
 
 impl<const N: usize> From<[(&'static str, Value); N]> for ParamValues {
-    /// A record of no generator.
+    /// Values that belong to no generator.
     fn from(mut params: [(&'static str, Value); N]) -> Self {
         Self::new(TypeId::of::<()>(), &mut params)
     }

@@ -7,9 +7,9 @@ use crate::error::Result;
 use crate::param::{ConversionError, Param, ParamType, Value};
 use crate::scene::Device;
 
-/// A generator with parameters that can still be overridden: what a sweep draws many times.
+/// A generator with some of its parameters: what a sweep draws many times, each time with others.
 ///
-/// Where a generator takes one, the parameter struct of any other is given for it. From JSON it is
+/// Where a generator takes one, the parameter struct of any other can be given for it. From JSON it is
 /// `{"device": NAME, "params": {…}}` or, with every parameter at its default, `"NAME"`.
 #[derive(Debug, Clone)]
 pub struct Partial {
@@ -21,7 +21,7 @@ impl Partial {
     /// The registered generator with this name and some of its parameters.
     ///
     /// # Errors
-    /// A generator or parameter that is not there. The values are looked at when the rest is known.
+    /// A generator or parameter that is not there. The values are checked when the cell is built.
     pub fn new(name: &str, params: BTreeMap<String, Value>) -> Result<Self> {
         let entry = registry::find(name)?;
         super::ParamReader::new(entry, &params)?;
@@ -120,7 +120,7 @@ impl Param for Device {
     }
 }
 
-/// Name and parameters of a generator as a plain value holds them.
+/// Name and parameters of a generator as a value holds them.
 fn parts(value: &Value) -> Option<(&str, BTreeMap<String, Value>)> {
     let Value::Map(map) = value else {
         return Some((value.as_str()?, BTreeMap::new()));

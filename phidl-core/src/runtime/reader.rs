@@ -1,4 +1,4 @@
-//! [`ParamReader`]: the parameters of a generator taken from plain values.
+//! [`ParamReader`]: the parameters of a generator taken from values by name.
 
 use std::collections::BTreeMap;
 
@@ -6,7 +6,7 @@ use super::GeneratorInfo;
 use crate::error::{Error, ItemKind, ParamError, Result};
 use crate::param::{Param, Value};
 
-/// Plain values from which a generator takes its parameters by name. (Generated code reads from it.)
+/// Values from which a generator takes its parameters by name. (Generated code reads from it.)
 pub struct ParamReader<'a> {
     entry: &'static GeneratorInfo,
     given: &'a BTreeMap<String, Value>,

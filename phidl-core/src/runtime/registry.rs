@@ -9,7 +9,7 @@ use std::sync::LazyLock;
 use super::GeneratorInfo;
 use crate::error::{Error, ItemKind, Result};
 
-/// What `#[device]` hands in.
+/// A generator that `#[device]` registers.
 #[doc(hidden)]
 pub struct Registered(pub fn() -> &'static GeneratorInfo);
 

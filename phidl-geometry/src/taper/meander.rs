@@ -86,7 +86,7 @@ pub fn meander_taper(
     check.at_most("number of rows", rows, MOST_ROWS)?;
 
     let fold = Fold {
-        check: check.unit("um"),
+        check: check.unit("µm"),
         profile,
         meander_length,
         spacing_factor,

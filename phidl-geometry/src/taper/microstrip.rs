@@ -47,7 +47,7 @@ impl Microstrip {
     /// # Errors
     /// The thickness must be greater than 0, the permittivity at least 1 and the inductance at least 0.
     pub fn new(thickness: f64, eps_r: f64, lk_per_sq: f64) -> Result<Self> {
-        Check::new("microstrip").unit("um").greater("thickness of the dielectric", thickness, 0)?;
+        Check::new("microstrip").unit("µm").greater("thickness of the dielectric", thickness, 0)?;
         Check::new("microstrip").at_least("eps_r", eps_r, 1)?;
         Check::new("microstrip").unit("H/sq").at_least("Lk_per_sq", lk_per_sq, 0)?;
         Ok(Self { thickness, eps_r, lk_per_sq })

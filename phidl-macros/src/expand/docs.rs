@@ -6,6 +6,7 @@ use syn::ext::IdentExt;
 use syn::{Expr, ExprLit, Lit};
 
 use crate::model::{Generator, Parameter};
+use crate::unit;
 
 /// Lines of documentation as attributes.
 pub(super) fn attributes(docs: &[Expr]) -> TokenStream {
@@ -70,8 +71,8 @@ pub(super) fn parameter_list(generator: &Generator) -> Option<String> {
         let text = literal(&param.docs).unwrap_or_default();
         let text = text.split("\n\n").next().unwrap_or_default().trim().replace('\n', " ");
         let separator = if text.is_empty() { "" } else { ": " };
-        let place = if param.named.is_some() { " (a field only)" } else { "" };
-        list += &format!("- `{}`{place}{separator}{text}{}\n", param.name, in_brackets(&notes(param)));
+        let note = if param.named.is_some() { " (a field only)" } else { "" };
+        list += &format!("- `{}`{note}{separator}{text}{}\n", param.name, in_brackets(&notes(param)));
     }
     Some(list)
 }
@@ -93,29 +94,17 @@ fn in_brackets(notes: &[String]) -> String {
     if notes.is_empty() { String::new() } else { format!(" ({})", notes.join("; ")) }
 }
 
-/// Unit, bounds and default in words.
+/// Unit, bounds and default as text.
 fn notes(param: &Parameter) -> Vec<String> {
     let mut notes = Vec::new();
-    if let Some(unit) = &param.unit {
-        notes.push(format!("in {}", unit_sign(&unit.value())));
+    if let Some(sign) = param.unit.as_ref().and_then(|unit| unit::sign(&unit.value())) {
+        notes.push(format!("in {}", if sign == "°" { "degrees" } else { sign }));
     }
     let sides = [("min", "at least"), ("above", "more than"), ("max", "at most"), ("below", "less than")];
     let bounds = sides.iter().filter_map(|(side, words)| Some(format!("{words} {}", param.bound(side)?)));
     notes.extend(bounds.reduce(|a, b| format!("{a}, {b}")));
     notes.extend(param.default.as_ref().map(|default| format!("default `{}`", source(default))));
     notes
-}
-
-fn unit_sign(unit: &str) -> &str {
-    match unit {
-        "um" => "µm",
-        "um2" => "µm²",
-        "1/um" => "1/µm",
-        "deg" => "degrees",
-        "ohm" => "Ω",
-        "ohm/sq" => "Ω/sq",
-        other => other,
-    }
 }
 
 /// An expression about as it was written.
@@ -141,7 +130,7 @@ mod tests {
     use syn::parse_quote;
 
     #[test]
-    fn a_picture_stands_under_the_first_paragraph_with_blank_lines_around() {
+    fn a_picture_is_under_the_first_paragraph_with_blank_lines_around() {
         let source = quote! {
             /// Draws a pad,
             /// a square one.
@@ -151,8 +140,9 @@ mod tests {
             fn pad() -> Result<Device> { body }
         };
         let code = crate::device_impl(quote!(picture = "docs/pad.svg"), source).to_string();
-        let place = |text: &str| code.find(text).unwrap_or_else(|| panic!("{text} is not in {code}"));
-        let order = ["a square one.", r#""\n<div>""#, "docs/pad.svg", r#""</div>\n""#, "It has no ports."].map(place);
+        let position = |text: &str| code.find(text).unwrap_or_else(|| panic!("{text} is not in {code}"));
+        let order =
+            ["a square one.", r#""\n<div>""#, "docs/pad.svg", r#""</div>\n""#, "It has no ports."].map(position);
         assert!(order.is_sorted(), "{code}");
     }
 

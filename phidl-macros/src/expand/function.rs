@@ -9,26 +9,25 @@ use super::params::{default_name, field_from_argument};
 use crate::model::Generator;
 
 pub(super) fn expand(generator: &Generator) -> TokenStream {
-    let Generator { attributes, visibility, name, struct_name, output, .. } = generator;
+    let Generator { attributes, visibility, name, struct_name, output, root, .. } = generator;
     let (cfgs, others) = (&attributes.cfgs, &attributes.others);
     // An expectation is about the body; the shell would not fulfill it.
     let lints = attributes.lints.iter().filter(|lint| !lint.path().is_ident("expect"));
     let lines = docs::of_function(generator);
     let list = docs::parameter_list(generator).map(|list| quote!(#[doc = #list]));
     let arguments = generator.arguments().map(|param| {
-        let (name, ty) = (&param.name, param.widen.argument(&param.ty));
+        let (name, ty) = (&param.name, param.widen.argument(&param.ty, root));
         quote!(#name: #ty)
     });
     let fields = generator.params.iter().map(|param| match param.named {
-        None => field_from_argument(param),
+        None => field_from_argument(param, root),
         Some(_) => {
             let (name, default) = (&param.name, default_name(param));
             quote!(#name: #struct_name::#default())
         }
     });
     // At the result, which may be another `Result`.
-    let build =
-        quote_spanned!(output.span()=> ::phidl_core::__private::Generator::build(&#struct_name { #(#fields),* }));
+    let build = quote_spanned!(output.span()=> #root::__private::Generator::build(&#struct_name { #(#fields),* }));
     quote! {
         #lines
         #list

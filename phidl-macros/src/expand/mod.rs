@@ -1,7 +1,6 @@
 //! From the [model](crate::model) to code; nothing can fail here.
 //!
-//! The code is short and calls `phidl_core::__private`, where the work is done by ordinary functions with tests of
-//! their own. Every path starts at the root, and every name that a body could see either is the user's or starts with
+//! The code is short and calls `__private` of phidl-core, where ordinary functions with tests of their own do the work. Every path starts at the root, and every name that a body could see either is the user's or starts with
 //! two underscores.
 
 mod docs;

@@ -17,8 +17,10 @@ pub(super) fn expand(generator: &Generator) -> TokenStream {
     let declared = declare(generator);
     let constructor = constructor(generator);
     let (cfgs, struct_name, visibility) = (&generator.attributes.cfgs, &generator.struct_name, &generator.visibility);
-    let setters = generator.params.iter().filter(|p| !TAKEN.contains(&p.name.unraw().to_string().as_str())).map(setter);
-    let defaults = generator.params.iter().filter_map(default);
+    let root = &generator.root;
+    let with_setter = generator.params.iter().filter(|p| !TAKEN.contains(&p.name.unraw().to_string().as_str()));
+    let setters = with_setter.map(|param| setter(param, root));
+    let defaults = generator.params.iter().filter_map(|param| default(param, root));
     quote! {
         #declared
         #constructor
@@ -31,8 +33,8 @@ pub(super) fn expand(generator: &Generator) -> TokenStream {
             ///
             /// # Errors
             /// A bound that a parameter breaks, and what the generator says.
-            #visibility fn build(&self) -> ::phidl_core::__private::Result<::phidl_core::__private::Device> {
-                ::phidl_core::__private::Generator::build(self)
+            #visibility fn build(&self) -> #root::__private::Result<#root::__private::Device> {
+                #root::__private::Generator::build(self)
             }
             #(#defaults)*
         }
@@ -60,9 +62,10 @@ fn declare(generator: &Generator) -> TokenStream {
 
 /// `Default` if every parameter has one, otherwise `new` with those that have none.
 fn constructor(generator: &Generator) -> TokenStream {
+    let root = &generator.root;
     let (cfgs, struct_name, visibility) = (&generator.attributes.cfgs, &generator.struct_name, &generator.visibility);
     let fields = generator.params.iter().map(|param| match &param.default {
-        None => field_from_argument(param),
+        None => field_from_argument(param, root),
         Some(_) => {
             let (name, default) = (&param.name, default_name(param));
             quote!(#name: Self::#default())
@@ -80,7 +83,7 @@ fn constructor(generator: &Generator) -> TokenStream {
         };
     }
     let arguments = generator.required().map(|param| {
-        let (name, ty) = (&param.name, param.widen.argument(&param.ty));
+        let (name, ty) = (&param.name, param.widen.argument(&param.ty, root));
         quote!(#name: #ty)
     });
     quote! {
@@ -97,9 +100,9 @@ fn constructor(generator: &Generator) -> TokenStream {
     }
 }
 
-fn setter(param: &Parameter) -> TokenStream {
-    let (name, ty) = (&param.name, param.widen.argument(&param.ty));
-    let value = param.widen.convert(quote!(#name));
+fn setter(param: &Parameter, root: &TokenStream) -> TokenStream {
+    let (name, ty) = (&param.name, param.widen.argument(&param.ty, root));
+    let value = param.widen.convert(quote!(#name), root);
     let doc = format!("The same with another `{}`.", name.unraw());
     quote! {
         #[doc = #doc]
@@ -112,10 +115,10 @@ fn setter(param: &Parameter) -> TokenStream {
 }
 
 /// The default of a parameter as a function, so that its expression stands in the code once.
-fn default(param: &Parameter) -> Option<TokenStream> {
+fn default(param: &Parameter, root: &TokenStream) -> Option<TokenStream> {
     let default = param.default.as_ref()?;
     let (name, ty) = (default_name(param), &param.ty);
-    let value = param.widen.convert_default(default);
+    let value = param.widen.convert_default(default, root);
     Some(quote_spanned! {default.span()=>
         fn #name() -> #ty {
             #value
@@ -128,12 +131,12 @@ pub(super) fn default_name(param: &Parameter) -> Ident {
 }
 
 /// The field in the making of a struct, from an argument of the same name.
-pub(super) fn field_from_argument(param: &Parameter) -> TokenStream {
+pub(super) fn field_from_argument(param: &Parameter, root: &TokenStream) -> TokenStream {
     let name = &param.name;
     match param.widen {
-        Widen::Plain => quote!(#name),
+        Widen::Same => quote!(#name),
         _ => {
-            let value = param.widen.convert(quote!(#name));
+            let value = param.widen.convert(quote!(#name), root);
             quote!(#name: #value)
         }
     }

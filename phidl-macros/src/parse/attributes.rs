@@ -54,8 +54,10 @@ pub(crate) fn of_parameter(attributes: Vec<Attribute>, problems: &mut Problems) 
             let list = problems.keep(attribute.parse_args_with(options::list));
             params.extend(list.into_iter().flatten());
         } else {
-            problems
-                .at(&attribute, "a parameter takes documentation, `#[default(…)]`, `#[param(…)]` and levels of lints");
+            problems.at(
+                &attribute,
+                "a parameter can have documentation, `#[default(…)]`, `#[param(…)]` and lint levels only",
+            );
         }
     }
     let known = ["name", "unit", "min", "above", "max", "below", "named"];

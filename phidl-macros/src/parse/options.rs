@@ -4,7 +4,7 @@ use proc_macro2::Ident;
 use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
-use syn::{Expr, ExprLit, Lit, LitStr, Token, UnOp};
+use syn::{Expr, ExprLit, Lit, LitStr, Path, Token, UnOp};
 
 use crate::problems::Problems;
 
@@ -48,7 +48,19 @@ impl Item {
         match self.value(problems)? {
             Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) if !text.value().trim().is_empty() => Some(text),
             other => {
-                problems.at(other, format_args!("option `{name}` takes a text that is not empty"));
+                problems.at(other, format_args!("option `{name}` takes a text in quotes that is not empty"));
+                None
+            }
+        }
+    }
+
+    /// The path of a crate.
+    pub(crate) fn path(self, problems: &mut Problems) -> Option<Path> {
+        let name = self.name.clone();
+        match self.value(problems)? {
+            Expr::Path(expr) if expr.qself.is_none() => Some(expr.path),
+            other => {
+                problems.at(other, format_args!("option `{name}` takes a path, such as `my_crate::phidl_core`"));
                 None
             }
         }
@@ -59,7 +71,7 @@ impl Item {
         let value = self.value(problems)?;
         let number = number(&value);
         if number.is_none() {
-            problems.at(value, format_args!("option `{name}` takes a number, written out"));
+            problems.at(value, format_args!("option `{name}` takes a number literal"));
         }
         number
     }
@@ -83,7 +95,7 @@ pub(crate) fn items(input: Punctuated<Item, Token![,]>, known: &[&str], problems
     for item in input {
         let name = item.name.to_string();
         if !known.contains(&name.as_str()) {
-            problems.at(&item.name, format_args!("there is no option `{name}`; known are {}", known.join(", ")));
+            problems.at(&item.name, format_args!("there is no option `{name}`; the options are {}", known.join(", ")));
         } else if seen.iter().any(|other| other.name == name) {
             problems.at(&item.name, format_args!("option `{name}` is given twice"));
         } else {

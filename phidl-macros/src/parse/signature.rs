@@ -4,11 +4,12 @@ use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::format_ident;
 use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream};
-use syn::{Attribute, FnArg, LitStr, Pat, PatType, ReturnType, Signature, Visibility};
+use syn::{Attribute, FnArg, LitStr, Pat, PatType, Path, ReturnType, Signature, Visibility};
 
 use super::{attributes, options};
 use crate::model::{Generator, Options, Parameter};
 use crate::problems::Problems;
+use crate::root;
 use crate::widen::Widen;
 
 /// The function under the attribute. Its body is not parsed: the compiler will do that once, where it ends up.
@@ -48,13 +49,14 @@ impl Function {
 /// The generator that a function declares, as far as it can be understood; the rest is noted.
 pub(crate) fn generator(options: TokenStream, function: Function, problems: &mut Problems) -> Generator {
     let Function { attributes, visibility, signature, body } = function;
-    let (registered, options) = device_options(options, problems);
+    let Said { registered, root, options } = device_options(options, problems);
     let name = signature.ident.clone();
     let params = signature.inputs.into_iter().filter_map(|input| parameter(input, problems)).collect();
     Generator {
         attributes: attributes::of_function(attributes),
         visibility,
         registered: registered.unwrap_or_else(|| text_of(&name)),
+        root: root::path(root.as_ref()),
         struct_name: struct_name(&name),
         name,
         params,
@@ -67,21 +69,32 @@ pub(crate) fn generator(options: TokenStream, function: Function, problems: &mut
     }
 }
 
-fn device_options(tokens: TokenStream, problems: &mut Problems) -> (Option<LitStr>, Options) {
+/// What stands in `#[device(…)]`.
+#[derive(Default)]
+struct Said {
+    registered: Option<LitStr>,
+    /// The crate that generated code calls.
+    root: Option<Path>,
+    options: Options,
+}
+
+fn device_options(tokens: TokenStream, problems: &mut Problems) -> Said {
     let list = problems.keep(syn::parse::Parser::parse2(options::list, tokens)).unwrap_or_default();
-    let (mut registered, mut said) = (None, Options::default());
-    for item in options::items(list, &["name", "no_cache", "example", "picture"], problems) {
+    let mut said = Said::default();
+    for item in options::items(list, &["name", "crate", "cell_name", "no_cache", "example", "picture"], problems) {
         match item.name.to_string().as_str() {
-            "name" => registered = item.text(problems),
-            "example" => said.example = item.value(problems),
-            "picture" => said.picture = item.text(problems),
+            "name" => said.registered = item.text(problems),
+            "crate" => said.root = item.path(problems),
+            "cell_name" => said.options.cell_name = item.text(problems),
+            "example" => said.options.example = item.value(problems),
+            "picture" => said.options.picture = item.text(problems),
             _ => {
                 item.flag(problems);
-                said.no_cache = true;
+                said.options.no_cache = true;
             }
         }
     }
-    (registered, said)
+    said
 }
 
 fn parameter(input: FnArg, problems: &mut Problems) -> Option<Parameter> {
@@ -92,7 +105,7 @@ fn parameter(input: FnArg, problems: &mut Problems) -> Option<Parameter> {
     let (name, mutability) = match *pat {
         Pat::Ident(pat) if pat.by_ref.is_none() && pat.subpat.is_none() => (pat.ident, pat.mutability),
         other => {
-            problems.at(other, "a parameter of a device generator is a name, since it names a field");
+            problems.at(other, "a parameter of a device generator must be a simple name, since it becomes a field");
             return None;
         }
     };

@@ -1,4 +1,5 @@
 //! Names that the macro could collide with, and bodies that leave early.
+#![allow(unused_qualifications, reason = "the path in `crate = …` may be longer than it needs to be here")]
 
 use phidl_core::prelude::*;
 use phidl_macros::device;
@@ -128,4 +129,38 @@ fn the_body_finds_the_rules_of_its_generator() {
     let message = |params: WithRulesParams| params.build().unwrap_err().to_string();
     assert_eq!(message(WithRulesParams::new(50)), "R: R1 is 50 Ω, but it must be less than 50 Ω");
     assert_eq!(message(WithRulesParams::new(1).gaps([2, 0])), "R: gaps[1] is 0 µm, but it must be at least 1 µm");
+}
+
+/// A crate that passes phidl-core on under a name of its own, as `phidl` does.
+mod facade {
+    pub(super) use phidl_core::__private;
+}
+
+#[device(crate = facade)]
+fn through_a_facade(#[default([1, 2])] list: Vec<f64>, #[default(None)] corner: Option<Corner>) -> Result<Device> {
+    check.that("list", list.len(), list.len() < 3, "be short")?;
+    Device::builder(format!("facade_{corner:?}")).build()
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, phidl_macros::Choice)]
+#[choice(crate = facade)]
+enum Corner {
+    Round,
+}
+
+#[test]
+fn generated_code_reaches_the_runtime_through_another_crate() {
+    assert_eq!(through_a_facade([1], Corner::Round).unwrap().name(), "facade_Some(Round)");
+}
+
+#[device(cell_name = "slot_W{width}_{L}")]
+fn named_cells(width: f64, #[param(name = "L")] length: i64) -> Result<Device> {
+    Device::builder(format!("slot_{length}")).build().inspect(|_| assert!(width > 0.0))
+}
+
+#[test]
+fn a_template_names_the_cells_of_a_generator() {
+    let device = named_cells(0.08, 3).unwrap();
+    assert_eq!(device.source().unwrap().cell_name().as_deref(), Some("slot_W0p08_3"));
+    assert_eq!(by_macro_one(3).unwrap().source().unwrap().cell_name(), None);
 }

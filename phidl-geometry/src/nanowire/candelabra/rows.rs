@@ -30,7 +30,7 @@ impl Wire {
         // Each row ends in a turn that leads to the next one, longer and one pitch further down.
         let mut length = 2.0 * d.size().width - self.width;
         let least = ("the shortest one and a step (a larger haxis or vaxis)", length + growth);
-        check.unit("um").greater("longest row", longest, least)?;
+        check.unit("µm").greater("longest row", longest, least)?;
         let mut pad = longest - length - growth;
         let mut end = d[bar].port("E")?;
         let mut left = false;

@@ -26,4 +26,9 @@ fn empty() -> Result<Device> {
     Device::builder("x").build()
 }
 
+#[device(crate = "phidl", cell_name = "W{width}_{pitch}_{}_}")]
+fn names(width: f64) -> Result<Device> {
+    Device::builder("x").build()
+}
+
 fn main() {}
