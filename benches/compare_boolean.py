@@ -76,7 +76,7 @@ def klayout_tiled(path, operation, distance, threads, sides=(2, 4, 8, 16, 32)):
         out.merge()
         return out
 
-    # The best tile size is looked for, so that nobody can say that theirs was a bad one.
+    # The best of several tile sizes counts.
     side = max(box.width(), box.height()) * dbu
     return min(best(lambda: work(side / parts + dbu)) for parts in sides)
 

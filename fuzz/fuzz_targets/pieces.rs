@@ -8,4 +8,4 @@ mod check;
 #[path = "../../phidl-boolean/tests/it/fuzzed.rs"]
 mod fuzzed;
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| fuzzed::pieces_lose_nothing(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| fuzzed::parts_lose_nothing(bytes));

@@ -1,7 +1,7 @@
 //! Booleans and offsets on seeded scenes, on one thread and on two; throughput is in vertices of the input.
 //!
 //! `confetti` is the crowded case: rectangles, discs and stars, turned at random, at constant density. `confetti/10000`
-//! has 0.52 million vertices in two layers. `strips` compares the sizes of strips, `shapes apart` is a layer in which
+//! has 0.52 million vertices in two layers. `strips` compares the sizes of strips, `isolated shapes` is a layer in which
 //! nothing touches. `hierarchy` keeps a cell of 100 corners in arrays and among single placements; the flat result of a
 //! million of them would need more memory than most machines have.
 
@@ -15,7 +15,7 @@ use phidl_boolean::{
     grid::{Contours, boolean, offset},
 };
 use phidl_core::prelude::*;
-use support::{apart, confetti};
+use support::{confetti, dots};
 
 const THREADS: [usize; 2] = [1, 2];
 
@@ -86,10 +86,10 @@ fn files(criterion: &mut Criterion) {
     group.finish();
 }
 
-fn shapes_apart(criterion: &mut Criterion) {
-    let mut group = criterion.benchmark_group("shapes apart");
+fn isolated_shapes(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("isolated shapes");
     group.sample_size(10);
-    let scene = apart(100_000);
+    let scene = dots(100_000);
     group.throughput(vertices(&scene, &Contours::new()));
     for threads in THREADS {
         let id = BenchmarkId::from_parameter(format!("{threads} threads"));
@@ -153,5 +153,5 @@ fn hierarchies(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, operations, offsets, strips, files, shapes_apart, hierarchies);
+criterion_group!(benches, operations, offsets, strips, files, isolated_shapes, hierarchies);
 criterion_main!(benches);

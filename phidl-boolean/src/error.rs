@@ -17,7 +17,7 @@ pub enum BooleanError {
         /// The refused grid step (µm).
         precision: f64,
     },
-    /// A coordinate in micrometers has no place on the grid.
+    /// A coordinate in micrometers is outside the grid.
     #[error(
         "shape {shape}: coordinate {value} µm is not a number within ±2^40 grid steps (±{limit} µm at this precision)"
     )]

@@ -3,7 +3,7 @@
 //! Coordinates are kept within ±2⁴⁰ steps ([`MAX_COORDINATE`]; ±110 m at the default step of 10⁻⁴ µm). The bound
 //! makes the arithmetic *exact*: the largest product that rounding a
 //! crossing needs is 2 · 2⁸³ · 2⁴¹ = 2¹²⁵, which an `i128` holds. The alternative, 32-bit coordinates with a 64-bit
-//! second engine for large ones, saves memory but needs the range rule in two places.
+//! second engine for large ones, saves memory but needs the range rule twice.
 
 use std::cmp::Ordering;
 

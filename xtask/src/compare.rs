@@ -189,7 +189,7 @@ fn line_name(scene: &str, work: Work) -> String {
     format!("{scene}: {}", work.name())
 }
 
-/// A line of the table; an empty field stands for whoever does not take part.
+/// A line of the table; the field of a peer that does not take part is empty.
 fn table_line(scene: &str, work: Work, ours: &Ours, others: &[Option<f64>]) -> String {
     let fastest = others.iter().flatten().copied().reduce(f64::min);
     let times = [Some(ours.on_grid), Some(ours.on_devices)].into_iter().chain(others.iter().copied());

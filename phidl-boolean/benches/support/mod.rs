@@ -8,8 +8,8 @@ pub(crate) fn confetti(n: usize, seed: u64) -> Contours {
     snapped(&scenes::confetti(n, seed))
 }
 
-/// Discs of twelve points, none touching another.
-pub(crate) fn apart(n: usize) -> Contours {
+/// Discs of twelve points, which do not touch.
+pub(crate) fn dots(n: usize) -> Contours {
     snapped(&scenes::dots(n, 12))
 }
 

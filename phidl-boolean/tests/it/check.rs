@@ -1,4 +1,4 @@
-//! What any region must satisfy, checked the slow and obvious way.
+//! The properties of every region, checked by slow and obvious methods.
 
 use phidl_boolean::{
     Operation, Region,
@@ -92,7 +92,7 @@ fn is_clear_of((a, b): (GridPoint, GridPoint), p: GridPoint, steps: f64) -> bool
 const CLEAR: f64 = 0.75;
 
 /// Panics unless every probe that is not at an edge of the shapes is covered exactly if set theory says so.
-pub(crate) fn assert_covers_as_told(
+pub(crate) fn assert_covers(
     region: &Region,
     a: &Contours,
     b: &Contours,

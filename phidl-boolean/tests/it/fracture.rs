@@ -38,20 +38,20 @@ proptest! {
     }
 
     #[test]
-    fn pieces_obey_the_limit_add_no_point_and_keep_the_area(a in any_shapes(), b in any_shapes(), limit in 3usize..20) {
+    fn parts_obey_the_limit_add_no_point_and_keep_the_area(a in any_shapes(), b in any_shapes(), limit in 3usize..20) {
         let region = boolean(&a, &b, Operation::Xor, &RunOptions::default()).unwrap();
-        let pieces = region.fractured(limit).unwrap();
-        prop_assert!(pieces.iter().all(|piece| piece.len() <= limit && signed_area2(piece) > 0));
-        prop_assert_eq!(points(&pieces), points(region.contours()));
-        prop_assert_eq!(area2(&pieces), region.area2());
+        let parts = region.fractured(limit).unwrap();
+        prop_assert!(parts.iter().all(|part| part.len() <= limit && signed_area2(part) > 0));
+        prop_assert_eq!(points(&parts), points(region.contours()));
+        prop_assert_eq!(area2(&parts), region.area2());
     }
 
     #[test]
-    fn pieces_of_upright_shapes_merge_to_the_region_again(a in rectangles(14, 20), limit in 3usize..12) {
+    fn parts_of_axis_parallel_shapes_merge_to_the_region_again(a in rectangles(14, 20), limit in 3usize..12) {
         let run = RunOptions::default();
         let region = boolean(&a, &Contours::new(), Operation::Or, &run).unwrap();
-        for pieces in [region.without_holes(), region.fractured(limit).unwrap()] {
-            prop_assert_eq!(&boolean(&pieces, &Contours::new(), Operation::Or, &run).unwrap().area2(), &region.area2());
+        for parts in [region.without_holes(), region.fractured(limit).unwrap()] {
+            prop_assert_eq!(&boolean(&parts, &Contours::new(), Operation::Or, &run).unwrap().area2(), &region.area2());
         }
     }
 }

@@ -14,7 +14,7 @@ use crate::check::{assert_clean, assert_covers_as_told};
 
 const OPERATIONS: [Operation; 5] = [Operation::Or, Operation::And, Operation::Not, Operation::BMinusA, Operation::Xor];
 
-/// Steps by which edges may end up off their place after merging, moving, bending and comparing: up to one each, and
+/// Steps by which edges may end up off after merging, moving, snapping and comparing: up to one each, and
 /// one where a nearly straight corner counts as straight.
 const ROUNDING: f64 = 6.0;
 
@@ -23,8 +23,8 @@ const ROUNDING: f64 = 6.0;
 struct Space {
     center: i64,
     reach: i64,
-    /// Every edge is upright, so nothing bends and every law is exact.
-    upright: bool,
+    /// Every edge is axis-parallel, so nothing is snapped and every law is exact.
+    axis_parallel: bool,
 }
 
 impl Space {
@@ -37,7 +37,7 @@ impl Space {
             (0, MAX_COORDINATE),
             (2 - MAX_COORDINATE, 3),
         ])?;
-        Ok(Self { center, reach, upright: bytes.arbitrary()? })
+        Ok(Self { center, reach, axis_parallel: bytes.arbitrary()? })
     }
 
     fn coordinate(self, bytes: &mut Unstructured) -> Result<i64> {
@@ -47,7 +47,7 @@ impl Space {
     fn shapes(self, bytes: &mut Unstructured) -> Result<Contours> {
         let mut shapes = Contours::new();
         for _ in 0..bytes.int_in_range(0..=6)? {
-            let shape = if self.upright { self.rectangle(bytes)? } else { self.polygon(bytes)? };
+            let shape = if self.axis_parallel { self.rectangle(bytes)? } else { self.polygon(bytes)? };
             shapes.push(shape);
         }
         Ok(shapes)
@@ -79,7 +79,7 @@ impl Space {
 /// Set operations: refused exactly if a coordinate is beyond the range, otherwise clean, right at probes, with the areas
 /// of set algebra, and the same for all divisions and numbers of threads.
 pub(crate) fn operations_obey_set_algebra(bytes: &[u8]) {
-    _ = with_two_operands(bytes, |a, b, upright, bytes| {
+    _ = with_two_operands(bytes, |a, b, axis_parallel, bytes| {
         let run = RunOptions::default();
         if let Some(refused) = [a, b].into_iter().find_map(|shapes| shapes.check_range().err()) {
             assert_eq!(grid::boolean(a, b, Operation::Or, &run), Err(refused));
@@ -97,7 +97,7 @@ pub(crate) fn operations_obey_set_algebra(bytes: &[u8]) {
         // All operations on the same shapes bend the same edges alike, so their areas add up to the step.
         assert_eq!(or.area2(), and.area2() + not.area2() + reversed.area2());
         assert_eq!(xor.area2(), not.area2() + reversed.area2());
-        if upright {
+        if axis_parallel {
             assert_exact_algebra(a, b, [&or, &and, &not]);
         }
         Ok(())
@@ -144,7 +144,7 @@ pub(crate) fn offsets_keep_their_side(bytes: &[u8]) {
         let (smaller, larger) = if distance < 0.0 { (&moved, &merged) } else { (&merged, &moved) };
         assert_within(smaller, larger, 0.0);
         // These joins keep everything within the distance; the others cut into that. A rounded corner turns an edge,
-        // and farther on the way back than edges are long, that is all one sees.
+        // and farther on the way back than edges are long, no other property holds.
         if (0.0..50.0).contains(&distance)
             && matches!(join, Join::Miter { .. } | Join::Bevel)
             && growth.merge_first
@@ -156,7 +156,7 @@ pub(crate) fn offsets_keep_their_side(bytes: &[u8]) {
     });
 }
 
-/// Panics if more of the smaller region sticks out than rounding of its edges and so many steps explain.
+/// Panics if more of the smaller region sticks out than rounding of its edges and the given number of steps explain.
 fn assert_within(smaller: &Region, larger: &Region, steps: f64) {
     let sticking_out = smaller.combine(larger, Operation::Not, &RunOptions::default()).expect("regions are in range");
     let allowed = (ROUNDING + steps) * perimeter(smaller);
@@ -168,19 +168,19 @@ fn perimeter(region: &Region) -> f64 {
     region.contours().iter().flat_map(|c| c.iter().zip(c.iter().cycle().skip(1))).map(length).sum()
 }
 
-/// Outlines for files: every hole opened, every piece within the limit, area and points exactly those of the region.
-pub(crate) fn pieces_lose_nothing(bytes: &[u8]) {
-    _ = with_two_operands(bytes, |a, b, upright, bytes| {
+/// Outlines for files: every hole opened, every part within the limit, area and points exactly those of the region.
+pub(crate) fn parts_lose_nothing(bytes: &[u8]) {
+    _ = with_two_operands(bytes, |a, b, axis_parallel, bytes| {
         let Ok(region) = grid::boolean(a, b, Operation::Xor, &RunOptions::default()) else { return Ok(()) };
         let limit = bytes.int_in_range(3..=12)?;
-        let pieces = region.fractured(limit).expect("3 points and more are enough");
-        assert!(pieces.iter().all(|piece| piece.len() <= limit && signed_area2(piece) > 0));
+        let parts = region.fractured(limit).expect("3 points and more are enough");
+        assert!(parts.iter().all(|part| part.len() <= limit && signed_area2(part) > 0));
         let whole = region.without_holes();
         assert_eq!(whole.len(), region.polygons().len());
-        for outlines in [pieces, whole] {
+        for outlines in [parts, whole] {
             assert_eq!(outlines.iter().map(signed_area2).sum::<i128>(), region.area2());
             assert_eq!(sorted(&outlines), sorted(region.contours()));
-            if upright {
+            if axis_parallel {
                 let again = Region::merged(&outlines, &RunOptions::default()).expect("its points are in range");
                 assert_eq!(again.area2(), region.area2());
             }
@@ -196,7 +196,7 @@ fn sorted(contours: &Contours) -> Vec<GridPoint> {
     points
 }
 
-/// The corners of the shapes and places between them.
+/// The corners of the shapes and positions between them.
 fn probes(a: &Contours, b: &Contours) -> Vec<GridPoint> {
     let points: Vec<GridPoint> = a.points().iter().chain(b.points()).copied().collect();
     let between = points.iter().zip(points.iter().skip(1)).zip(points.iter().skip(3));
@@ -210,7 +210,7 @@ fn with_two_operands(
     let mut bytes = Unstructured::new(bytes);
     let space = Space::take(&mut bytes)?;
     let (a, b) = (space.shapes(&mut bytes)?, space.shapes(&mut bytes)?);
-    law(&a, &b, space.upright, &mut bytes)
+    law(&a, &b, space.axis_parallel, &mut bytes)
 }
 
 fn with_one_operand(bytes: &[u8], law: impl FnOnce(&Contours, &mut Unstructured) -> Result<()>) -> Result<()> {

@@ -35,13 +35,13 @@ fn coordinate(reach: i32) -> impl Strategy<Value = f64> {
     ]
 }
 
-fn place(reach: i32) -> impl Strategy<Value = (f64, f64)> {
+fn position(reach: i32) -> impl Strategy<Value = (f64, f64)> {
     (coordinate(reach), coordinate(reach))
 }
 
 /// A cell with a few outlines of up to 40 steps, on layers 1 and 2.
 fn leaf() -> impl Strategy<Value = Device> {
-    let outline = (prop::collection::vec(place(20), 3..7), 1..=2_u16);
+    let outline = (prop::collection::vec(position(20), 3..7), 1..=2_u16);
     prop::collection::vec(outline, 1..4).prop_map(|outlines| {
         let mut d = Device::builder("leaf");
         for (points, layer) in outlines {
@@ -69,7 +69,7 @@ fn placing() -> impl Strategy<Value = Placing> {
     let pitch = prop_oneof![3 => Just((64.0, 80.0)), 1 => Just((20.0, 90.0)), 1 => Just((64.5, 70.25))];
     let array = prop_oneof![3 => Just((1, 1)), 1 => (1..4_u32, 1..4_u32)];
     let at =
-        prop_oneof![(-8..8_i32, -8..8_i32).prop_map(|(x, y)| (f64::from(100 * x), f64::from(100 * y))), place(400)];
+        prop_oneof![(-8..8_i32, -8..8_i32).prop_map(|(x, y)| (f64::from(100 * x), f64::from(100 * y))), position(400)];
     (0..3_usize, at, rotation, prop::bool::weighted(0.2), magnification, (array, pitch)).prop_map(
         |(cell, at, rotation, mirrored, magnification, ((columns, rows), pitch))| Placing {
             cell,
@@ -105,7 +105,7 @@ fn cell_of(name: &str, cells: &[Device], placings: &[Placing]) -> Device {
 /// Leaves in blocks in a top cell, and sometimes an outline over it all.
 fn layout() -> impl Strategy<Value = Device> {
     let placings = |most| prop::collection::vec(placing(), 0..most);
-    let outline = prop::option::weighted(0.3, prop::collection::vec(place(900), 3..6));
+    let outline = prop::option::weighted(0.3, prop::collection::vec(position(900), 3..6));
     let parts = (prop::collection::vec(leaf(), 2..4), placings(4), placings(10), placings(6), outline);
     parts.prop_map(|(leaves, in_block, leaves_in_top, blocks_in_top, outline)| {
         let block = cell_of("block", &leaves, &in_block);
@@ -234,7 +234,7 @@ fn what_a_bar_crosses_is_drawn_flat_and_the_rest_stays_in_arrays() {
 }
 
 #[test]
-fn a_frame_around_everything_does_not_reach_what_stands_in_it() {
+fn a_frame_around_everything_does_not_interact_with_its_inside() {
     let frame =
         boolean(&Rect::new((-50, -50), (550, 550)), &Rect::new((-40, -40), (540, 540)), "not", 1, &Options::default());
     let mut d = Device::builder("chip");
@@ -262,7 +262,7 @@ fn each_turn_and_each_part_of_a_step_is_a_cell_of_its_own() {
 }
 
 #[test]
-fn bad_options_are_refused_and_nothing_gives_nothing() {
+fn bad_options_are_refused_and_empty_operands_give_an_empty_result() {
     let bad = Options { max_points: Some(2), ..Options::default() };
     let error = union(&ring().array(5, 5, (30, 30)), 1, &kept(bad)).unwrap_err();
     assert_eq!(error.to_string(), "union: max_points is 2, but it must be at least 3");

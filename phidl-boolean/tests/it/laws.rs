@@ -7,7 +7,7 @@ use phidl_boolean::{
 use proptest::prelude::*;
 
 use crate::{
-    check::{assert_clean, assert_covers_as_told, assert_same_cover},
+    check::{assert_clean, assert_covers, assert_same_cover},
     shapes::{any_operation, any_shapes, rectangles},
 };
 
@@ -46,11 +46,11 @@ proptest! {
     ) {
         let result = undivided(&a, &b, operation);
         assert_clean(&result);
-        assert_covers_as_told(&result, &a, &b, operation, &probes());
+        assert_covers(&result, &a, &b, operation, &probes());
     }
 
     #[test]
-    fn operations_on_clean_regions_are_exact_where_nothing_bends(a in rectangles(12, 20), b in rectangles(12, 20)) {
+    fn operations_on_clean_regions_are_exact_where_nothing_is_snapped(a in rectangles(12, 20), b in rectangles(12, 20)) {
         let run = RunOptions::default();
         let (a, b) = (Region::merged(&a, &run).unwrap(), Region::merged(&b, &run).unwrap());
         prop_assert_eq!((&a | &b).area2() + (&a & &b).area2(), a.area2() + b.area2());
@@ -82,7 +82,7 @@ proptest! {
         prop_assert_eq!(&(&merged - &Region::new()), &merged);
     }
 
-    /// A bent edge may have come within half a step of a vertex; then, and only then, it bends once more.
+    /// A snapped edge may come within half a step of a vertex; only then it is snapped once more.
     #[test]
     fn a_clean_region_keeps_its_place_to_half_a_step(a in any_shapes()) {
         let merged = Region::merged(&a, &RunOptions::default()).unwrap();
@@ -94,7 +94,7 @@ proptest! {
     }
 
     #[test]
-    fn areas_of_bent_edges_differ_by_less_than_half_a_step_along_them(a in any_shapes(), b in any_shapes()) {
+    fn areas_of_snapped_edges_differ_by_less_than_half_a_step_along_them(a in any_shapes(), b in any_shapes()) {
         let perimeter: f64 = a.iter().chain(b.iter()).map(|c| {
             c.iter().zip(c.iter().cycle().skip(1)).map(|(p, q)| ((p.x - q.x) as f64).hypot((p.y - q.y) as f64)).sum::<f64>()
         }).sum();

@@ -25,8 +25,8 @@ fn offsets_of_kept_bytes_keep_their_side() {
 }
 
 #[test]
-fn pieces_of_kept_bytes_lose_nothing() {
-    replay("pieces", fuzzed::pieces_lose_nothing);
+fn parts_of_kept_bytes_lose_nothing() {
+    replay("pieces", fuzzed::parts_lose_nothing);
 }
 
 fn any_bytes() -> impl Strategy<Value = Vec<u8>> {
@@ -47,7 +47,7 @@ proptest! {
     }
 
     #[test]
-    fn pieces_of_any_bytes_lose_nothing(bytes in any_bytes()) {
-        fuzzed::pieces_lose_nothing(&bytes);
+    fn parts_of_any_bytes_lose_nothing(bytes in any_bytes()) {
+        fuzzed::parts_lose_nothing(&bytes);
     }
 }

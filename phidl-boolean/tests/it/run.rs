@@ -10,7 +10,7 @@ use phidl_boolean::{
     grid::{Contours, GridPoint, MAX_COORDINATE, boolean},
 };
 
-use crate::support::{apart, confetti};
+use crate::support::{dots, confetti};
 
 fn shape(points: &[(i64, i64)]) -> Contours {
     [points.iter().copied().map(GridPoint::from).collect::<Vec<_>>()].into_iter().collect()
@@ -169,7 +169,7 @@ fn the_operation_is_the_set_algebra_for_empty_operands() {
 
 #[test]
 fn shapes_that_touch_nothing_keep_their_points() {
-    let scene = apart(200);
+    let scene = dots(200);
     let region = merged(&scene);
     assert_eq!(region.polygons().len(), scene.len());
     let sorted = |contours: &Contours| {

@@ -26,7 +26,7 @@ pub(crate) fn any_shapes() -> impl Strategy<Value = Contours> {
     prop_oneof![polygons(8, 12), polygons(8, 60), polygons(6, 2000), rectangles(10, 12), long_slivers(12)]
 }
 
-/// Nearly parallel lines over a long way: the hardest case for rounding.
+/// Nearly parallel lines over a long distance: the hardest case for rounding.
 fn long_slivers(count: usize) -> impl Strategy<Value = Contours> {
     let sliver = (0..40i64, 0..40i64, 960..1000i64, 0..40i64, 1..3i64).prop_map(|(x, y, w, z, h)| {
         vec![(x, y), (w, z), (w, z + h), (x, y + h)].into_iter().map(GridPoint::from).collect::<Vec<_>>()
