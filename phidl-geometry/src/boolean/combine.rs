@@ -87,10 +87,8 @@ pub fn union(
     #[default(1e-4)]
     #[param(unit = "um", above = 0.0)]
     precision: f64,
-    /// Cannot make a difference: shapes united one after the other or all at once cover the same places, so the reference
-    /// ignores it too.
+    /// Must be true: a union has only one order. PHIDL ignores the value.
     #[default(true)]
-    #[expect(unused_variables, reason = "a union has nothing to do first")]
     join_first: bool,
     /// The most points of a polygon; fewer than 5 mean no limit.
     #[default(4000)]
@@ -99,6 +97,7 @@ pub fn union(
     #[default(0)]
     layer: Layers,
 ) -> Result<Device> {
+    check.that("join_first", join_first, join_first, "be true, because a union joins all shapes at once")?;
     let options = Divisions(1, 1).options(precision, max_points);
     Ok(if by_layer { phidl_boolean::union_by_layer(&d, &options)? } else { phidl_boolean::union(&d, layer, &options)? })
 }

@@ -1,10 +1,8 @@
 //! [`kl_boolean`], [`kl_offset`], [`kl_outline`] and [`kl_invert`]: the same engine under KLayout's options.
 //!
-//! `merge_after` is taken and has nothing to act on. In the reference it merges what the tiles of a tiled run leave:
-//! pieces with seams, and pieces that overlap. The covered places are the same either way. Here an operation ends with
-//! outlines drawn once around the places that it covers; no piece exists before, so there is nothing to leave unmerged,
-//! whatever `tile_size` is. Handing out the input of an `or` in its place would be another operation: it neither rounds
-//! nor resolves shapes that cross themselves.
+//! `merge_after` must be true. PHIDL's `merge_after=False` leaves the parts of the tiles of a tiled run, with seams and
+//! overlaps. Results of this engine have no parts: an operation ends with outlines drawn once around the covered area, for
+//! every `tile_size`. The input of an `or` is no substitute for parts: it is not rounded, and its shapes may cross themselves.
 
 use phidl_boolean::klayout::KLayoutOptions;
 use phidl_boolean::{Margin, OpenPorts};
@@ -20,6 +18,10 @@ const TILE: Size = Size { width: 1000.0, height: 1000.0 };
 fn options(precision: f64, tile_size: Option<Size>, num_cpu: NumCpu) -> KLayoutOptions<'static> {
     let tile_size = tile_size.map(|tile| (tile.width, tile.height));
     KLayoutOptions { precision, tile_size, num_cpu: num_cpu.0, monitor: None }
+}
+
+fn check_merged(check: Check<'_>, merge_after: bool) -> Result<()> {
+    check.that("merge_after", merge_after, merge_after, "be true, because results are always merged")
 }
 
 /// Runs a set operation; see [`boolean`](fn@super::boolean).
@@ -60,9 +62,8 @@ pub fn kl_boolean(
     #[default(Some(TILE))]
     #[param(unit = "um")]
     tile_size: Option<Size>,
-    /// Cannot make a difference (see the module): what is merged afterwards elsewhere never falls apart here.
+    /// Must be true: results are always merged.
     #[default(true)]
-    #[expect(unused_variables, reason = "there is no other result than the merged one")]
     merge_after: bool,
     /// Number of threads; the result does not depend on it.
     #[default(NumCpu::ALL)]
@@ -71,6 +72,7 @@ pub fn kl_boolean(
     #[default(0)]
     layer: Layers,
 ) -> Result<Device> {
+    check_merged(check, merge_after)?;
     Ok(phidl_boolean::klayout::kl_boolean(&a, &b, operation.as_str(), layer, &options(precision, tile_size, num_cpu))?)
 }
 
@@ -115,9 +117,8 @@ pub fn kl_offset(
     #[default(Some(TILE))]
     #[param(unit = "um")]
     tile_size: Option<Size>,
-    /// Cannot make a difference (see the module): what is merged afterwards elsewhere never falls apart here.
+    /// Must be true: results are always merged.
     #[default(true)]
-    #[expect(unused_variables, reason = "there is no other result than the merged one")]
     merge_after: bool,
     /// Number of threads; the result does not depend on it.
     #[default(NumCpu::ALL)]
@@ -126,6 +127,7 @@ pub fn kl_offset(
     #[default(0)]
     layer: Layers,
 ) -> Result<Device> {
+    check_merged(check, merge_after)?;
     let options = options(precision, tile_size, num_cpu);
     Ok(phidl_boolean::klayout::kl_offset(&elements, distance, miter_mode, layer, &options)?)
 }
@@ -171,9 +173,8 @@ pub fn kl_outline(
     #[default(Some(TILE))]
     #[param(unit = "um")]
     tile_size: Option<Size>,
-    /// Cannot make a difference (see the module): what is merged afterwards elsewhere never falls apart here.
+    /// Must be true: results are always merged.
     #[default(true)]
-    #[expect(unused_variables, reason = "there is no other result than the merged one")]
     merge_after: bool,
     /// Number of threads; the result does not depend on it.
     #[default(NumCpu::ALL)]
@@ -182,6 +183,7 @@ pub fn kl_outline(
     #[default(0)]
     layer: Layers,
 ) -> Result<Device> {
+    check_merged(check, merge_after)?;
     let options = options(precision, tile_size, num_cpu);
     Ok(phidl_boolean::klayout::kl_outline(&elements, distance, open_ports, miter_mode, layer, &options)?)
 }
@@ -221,9 +223,8 @@ pub fn kl_invert(
     #[default(Some(TILE))]
     #[param(unit = "um")]
     tile_size: Option<Size>,
-    /// Cannot make a difference (see the module): what is merged afterwards elsewhere never falls apart here.
+    /// Must be true: results are always merged.
     #[default(true)]
-    #[expect(unused_variables, reason = "there is no other result than the merged one")]
     merge_after: bool,
     /// Number of threads; the result does not depend on it.
     #[default(NumCpu::ALL)]
@@ -232,6 +233,7 @@ pub fn kl_invert(
     #[default(0)]
     layer: Layers,
 ) -> Result<Device> {
+    check_merged(check, merge_after)?;
     Ok(phidl_boolean::klayout::kl_invert(&elements, border, layer, &options(precision, tile_size, num_cpu))?)
 }
 
@@ -240,15 +242,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn tiles_leave_nothing_to_merge_afterwards() {
+    fn tiles_leave_no_parts_and_unmerged_results_are_refused() {
         let (a, b) = (circle(10, 2.5, 0).unwrap(), rectangle((12, 12), 1).unwrap());
         for tile_size in [None, Some(Size::new(1.0, 1.0)), Some(TILE)] {
-            let cut = |merge_after: bool| {
-                let params = KlBooleanParams::new(a.clone(), b.clone(), "or");
-                params.tile_size(tile_size).merge_after(merge_after).build().unwrap()
-            };
-            assert_eq!(cut(true).hash_geometry(1e-4), cut(false).hash_geometry(1e-4));
-            assert_eq!(cut(false).polygons().count(), 1, "{tile_size:?}");
+            let params = KlBooleanParams::new(a.clone(), b.clone(), "or").tile_size(tile_size);
+            assert_eq!(params.clone().build().unwrap().polygons().count(), 1, "{tile_size:?}");
+            let error = params.merge_after(false).build().unwrap_err().to_string();
+            assert!(error.contains("merge_after is false, but it must be true"), "{error}");
         }
     }
 }
