@@ -1,7 +1,8 @@
 //! `cargo xtask compare`: booleans and offsets of ours and of other tools, on the same files, in one sitting.
 //!
-//! Prints a table in Markdown, as it stands in `benches/README.md`, then time and memory of our command on the file of each
-//! scene, and how the time grows with the work.
+//! Prints a table in Markdown, as in `benches/README.md`, then time and memory of our command on the file of each scene, the
+//! growth of the time with the work, and the lines with the worst ratios first. `--suite` takes scenes of many kinds in
+//! three sizes, so that no kind is overlooked.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -30,7 +31,7 @@ const PEERS: [&str; 4] = ["klayout", "klayout, tiled", "gdstk", "phidl"];
 
 /// Shapes to work on, and what to do with them.
 struct Scene {
-    name: &'static str,
+    name: String,
     layers: [Outlines; 2],
     work: Vec<Work>,
     /// Shapes of each kind, where scenes of several sizes are to be compared.
@@ -65,11 +66,13 @@ pub(crate) fn run(flags: &CompareFlags) -> anyhow::Result<()> {
     println!("| scene and work | on grid | devices | {} | ratio | one thread | gain |", PEERS.join(" | "));
     println!("|{}", "---|".repeat(PEERS.len() + 6));
     let (mut growth, mut files) = (Growths::default(), Vec::new());
-    for scene in scenes(flags.quick) {
+    let mut ratios = Vec::new();
+    let chosen_scenes = if flags.suite { suite(flags.quick) } else { scenes(flags.quick) };
+    for scene in chosen_scenes {
         let scene = chosen(scene, flags.filter.as_deref().unwrap_or_default());
         if !scene.work.is_empty() {
-            compare(&scene, flags, python.as_ref(), &mut growth)?;
-            if scene.work.iter().any(|work| matches!(work, Work::Boolean(..))) {
+            ratios.extend(compare(&scene, flags, python.as_ref(), &mut growth)?);
+            if !flags.suite && scene.work.iter().any(|work| matches!(work, Work::Boolean(..))) {
                 files.push(format!("{}: or, from file to file: {}", scene.name, on_file(&scene, flags)?));
             }
         }
@@ -77,12 +80,19 @@ pub(crate) fn run(flags: &CompareFlags) -> anyhow::Result<()> {
     println!();
     files.iter().for_each(|line| println!("{line}"));
     growth.print();
+    print_worst_first(ratios);
     Ok(())
+}
+
+/// Prints how many times as fast as the fastest peer ours is, from devices to a device, worst first.
+fn print_worst_first(mut ratios: Vec<(f64, String)>) {
+    ratios.sort_by(|a, b| a.0.total_cmp(&b.0));
+    ratios.iter().for_each(|(ratio, line)| println!("{ratio:.1} times the fastest peer: {line}"));
 }
 
 /// The scene with the work whose line would contain a text.
 fn chosen(mut scene: Scene, filter: &str) -> Scene {
-    scene.work.retain(|work| line_name(scene.name, *work).contains(filter));
+    scene.work.retain(|work| line_name(&scene.name, *work).contains(filter));
     scene
 }
 
@@ -109,8 +119,8 @@ impl Growths {
 
 fn scenes(quick: bool) -> Vec<Scene> {
     let size = |full: usize| if quick { full / 100 } else { full };
-    let crowded = |name, n: usize, is_small| Scene {
-        name,
+    let crowded = |name: &str, n: usize, is_small| Scene {
+        name: name.to_owned(),
         layers: [scenes::confetti(n, 1), scenes::confetti(n, 2)],
         work: [
             &BOOLEANS.map(|(operation, name)| Work::Boolean(operation, name))[..],
@@ -125,14 +135,14 @@ fn scenes(quick: bool) -> Vec<Scene> {
         crowded("confetti, n = 1,000", size(1_000), true),
         crowded("confetti, n = 10,000", size(10_000), false),
         Scene {
-            name: "300 × 300 squares minus a cross",
+            name: "300 × 300 squares minus a cross".to_owned(),
             layers: [squares, cross],
             work: vec![Work::Boolean(Operation::Not, "not")],
             size: None,
             is_small: false,
         },
         Scene {
-            name: "95,000 72-gons",
+            name: "95,000 72-gons".to_owned(),
             layers: [scenes::dots(size(95_000), 72), Vec::new()],
             work: vec![Work::Boolean(Operation::Or, "or"), Work::Offset(0.3)],
             size: None,
@@ -141,14 +151,33 @@ fn scenes(quick: bool) -> Vec<Scene> {
     ]
 }
 
+/// Scenes of all kinds in three sizes.
+fn suite(quick: bool) -> Vec<Scene> {
+    let sizes: &[usize] = if quick { &[1] } else { &[1, 10, 100] };
+    let scene = |(name, layers): scenes::Kind, size: usize| {
+        let layers = layers(size);
+        let booleans = BOOLEANS.map(|(operation, name)| Work::Boolean(operation, name));
+        let offsets = [Work::Offset(0.3), Work::Offset(-0.2)];
+        let work = if layers[1].is_empty() { offsets.to_vec() } else { [&booleans[..], &offsets].concat() };
+        Scene { name: format!("{name}, size {size}"), layers, work, size: None, is_small: false }
+    };
+    scenes::KINDS.iter().flat_map(|&kind| sizes.iter().map(move |&size| scene(kind, size))).collect()
+}
+
 const BOOLEANS: [(Operation, &str); 4] =
     [(Operation::Or, "or"), (Operation::And, "and"), (Operation::Not, "not"), (Operation::Xor, "xor")];
 
-/// Prints a line of the table for each kind of work on a scene, whose file stays.
-fn compare(scene: &Scene, flags: &CompareFlags, python: Option<&Python>, growth: &mut Growths) -> anyhow::Result<()> {
+/// Prints a line of the table for each kind of work on a scene, whose file stays; returns the ratios to the fastest peer.
+fn compare(
+    scene: &Scene,
+    flags: &CompareFlags,
+    python: Option<&Python>,
+    growth: &mut Growths,
+) -> anyhow::Result<Vec<(f64, String)>> {
     let file = scene_file(flags);
     let devices = draw(&scene.layers)?;
     layer_file::write(&both(&devices)?, &file, PRECISION)?;
+    let mut ratios = Vec::new();
     for &work in &scene.work {
         let ours = ours(&devices, work, flags.threads)?;
         growth.0.extend(scene.size.map(|size| (work, size, ours.on_grid)));
@@ -159,9 +188,11 @@ fn compare(scene: &Scene, flags: &CompareFlags, python: Option<&Python>, growth:
             _ => Ok(None),
         };
         let others = PEERS.into_iter().map(time).collect::<anyhow::Result<Vec<_>>>()?;
-        println!("{}", table_line(scene.name, work, &ours, &others));
+        println!("{}", table_line(&scene.name, work, &ours, &others));
+        let fastest = others.iter().flatten().copied().reduce(f64::min);
+        ratios.extend(fastest.map(|fastest| (fastest / ours.on_devices, line_name(&scene.name, work))));
     }
-    Ok(())
+    Ok(ratios)
 }
 
 fn scene_file(flags: &CompareFlags) -> PathBuf {

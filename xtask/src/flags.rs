@@ -212,6 +212,9 @@ pub(crate) struct CompareFlags {
     /// Everything smaller, to see that it works.
     #[arg(long)]
     pub(crate) quick: bool,
+    /// Scenes of many kinds in three sizes, instead of those of the published table.
+    #[arg(long)]
+    pub(crate) suite: bool,
     /// The folder for scenes and the virtual environment.
     #[arg(long, value_name = "DIR", default_value = "target/compare")]
     pub(crate) out: PathBuf,
@@ -243,6 +246,9 @@ pub(crate) struct InteropFlags {
     /// Shapes of each kind in a scene.
     #[arg(long, value_name = "N", default_value_t = 100)]
     pub(crate) shapes: usize,
+    /// Scenes of many kinds in three sizes, instead of those of the published table.
+    #[arg(long)]
+    pub(crate) suite: bool,
     /// The folder for scenes and the virtual environment.
     #[arg(long, value_name = "DIR", default_value = "target/compare")]
     pub(crate) out: PathBuf,

@@ -92,13 +92,7 @@ fn is_clear_of((a, b): (GridPoint, GridPoint), p: GridPoint, steps: f64) -> bool
 const CLEAR: f64 = 0.75;
 
 /// Panics unless every probe that is not at an edge of the shapes is covered exactly if set theory says so.
-pub(crate) fn assert_covers(
-    region: &Region,
-    a: &Contours,
-    b: &Contours,
-    operation: Operation,
-    probes: &[GridPoint],
-) {
+pub(crate) fn assert_covers(region: &Region, a: &Contours, b: &Contours, operation: Operation, probes: &[GridPoint]) {
     let all: Vec<_> = edges(a).into_iter().chain(edges(b)).collect();
     for &p in probes.iter().filter(|&&p| all.iter().all(|&e| is_clear_of(e, p, CLEAR))) {
         assert_eq!(region.contains(p), operation.keeps(covers(a, p), covers(b, p)), "{operation:?} at {p:?}");

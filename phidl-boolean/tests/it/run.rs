@@ -10,7 +10,7 @@ use phidl_boolean::{
     grid::{Contours, GridPoint, MAX_COORDINATE, boolean},
 };
 
-use crate::support::{dots, confetti};
+use crate::support::{confetti, dots};
 
 fn shape(points: &[(i64, i64)]) -> Contours {
     [points.iter().copied().map(GridPoint::from).collect::<Vec<_>>()].into_iter().collect()

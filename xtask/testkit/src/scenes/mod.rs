@@ -2,6 +2,10 @@
 //!
 //! Outlines are in micrometers. Numbers of vertices grow in proportion to `n`, and density is constant.
 
+mod kinds;
+
+pub use kinds::{KINDS, Kind};
+
 use phidl_core::geom::{Point, Transform};
 
 /// The corners of shapes.
