@@ -7,98 +7,95 @@
 
 use std::cmp::Ordering;
 
-use rayon::prelude::*;
-
+use super::corners::{Buckets, Corners};
 use crate::point::{GridPoint, side};
 
 /// A line inside a polygon between two of its corners, from the left one to the right one.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Diagonal {
-    pub(super) from: GridPoint,
-    pub(super) to: GridPoint,
+    pub(super) from: u32,
+    pub(super) to: u32,
     /// Connects a hole with the outer ring; no part may reach over it.
     pub(super) is_bridge: bool,
 }
 
 /// An edge from left to right.
+#[derive(Clone, Copy)]
 struct Side {
-    l: GridPoint,
-    r: GridPoint,
+    l: u32,
+    r: u32,
     /// The polygon is above.
     is_floor: bool,
 }
 
-impl Side {
-    /// A corner may also touch a side from outside, in its interior; a ceiling is then below the corner.
-    fn is_below(&self, corner: GridPoint) -> bool {
-        match side(self.l, self.r, corner) {
-            Ordering::Greater => true,
-            Ordering::Equal => self.r != corner && !self.is_floor,
-            Ordering::Less => false,
-        }
-    }
-}
-
-struct Sweep {
-    sides: Vec<Side>,
+struct Sweep<'a> {
+    corners: &'a Corners,
+    sides: &'a [Side],
     /// For each floor: the corner where the trapezoid over it begins.
-    begun: Vec<GridPoint>,
+    begun: Vec<u32>,
     /// The sides over the current corner, from bottom to top.
-    active: Vec<usize>,
+    status: Vec<u32>,
     diagonals: Vec<Diagonal>,
 }
 
 /// All diagonals of one polygon, given as its outer ring (counter-clockwise) and its holes (clockwise).
-pub(super) fn diagonals(outlines: &[&[GridPoint]]) -> Vec<Diagonal> {
-    let mut sides: Vec<Side> = outlines.iter().flat_map(|outline| outline_sides(outline)).collect();
-    sides.par_sort_unstable_by(|a, b| a.l.cmp(&b.l).then_with(|| side(a.l, b.r, a.r)));
-    let mut corners: Vec<GridPoint> = outlines.concat();
-    corners.par_sort_unstable();
-    corners.dedup();
-    let mut hole_starts: Vec<GridPoint> = outlines.iter().skip(1).filter_map(|hole| hole.first().copied()).collect();
-    hole_starts.sort_unstable();
+pub(super) fn diagonals(corners: &Corners) -> Vec<Diagonal> {
+    let sides: Vec<Side> = corners.rings().flat_map(ring_sides).collect();
+    let mut by_left_end = Buckets::new(corners.len(), sides.iter().map(|side| side.l));
+    by_left_end.sort_each(|a, b| {
+        let (a, b) = (sides[a as usize], sides[b as usize]);
+        side(corners.point(a.l), corners.point(b.r), corners.point(a.r))
+    });
+    let mut starts_hole = vec![false; corners.len()];
+    corners.rings().skip(1).filter_map(|hole| hole.first()).for_each(|&first| starts_hole[first as usize] = true);
 
     let begun = sides.iter().map(|side| side.l).collect();
-    let mut sweep = Sweep { sides, begun, active: Vec::new(), diagonals: Vec::new() };
-    let mut first = 0;
-    for corner in corners {
-        let end = first + sweep.sides[first..].iter().take_while(|side| side.l == corner).count();
-        sweep.visit(corner, first..end, hole_starts.binary_search(&corner).is_ok());
-        first = end;
+    let mut sweep = Sweep { corners, sides: &sides, begun, status: Vec::new(), diagonals: Vec::new() };
+    for (corner, starts_hole) in (0u32..).zip(starts_hole) {
+        sweep.visit(corner, by_left_end.of(corner), starts_hole);
     }
     sweep.diagonals
 }
 
-fn outline_sides(outline: &[GridPoint]) -> impl Iterator<Item = Side> {
-    outline.iter().zip(outline.iter().cycle().skip(1)).map(|(&a, &b)| {
+fn ring_sides(ring: &[u32]) -> impl Iterator<Item = Side> {
+    ring.iter().zip(ring.iter().cycle().skip(1)).map(|(&a, &b)| {
         let is_floor = a < b;
         let (l, r) = if is_floor { (a, b) } else { (b, a) };
         Side { l, r, is_floor }
     })
 }
 
-impl Sweep {
-    fn visit(&mut self, corner: GridPoint, beginning: std::ops::Range<usize>, starts_hole: bool) {
-        let sides = &self.sides;
-        let low = self.active.partition_point(|&s| sides[s].is_below(corner));
-        let ending = self.active[low..].iter().take_while(|&&s| sides[s].r == corner).count();
+impl Sweep<'_> {
+    fn visit(&mut self, corner: u32, beginning: &[u32], starts_hole: bool) {
+        let at = self.corners.point(corner);
+        let low = self.status.partition_point(|&s| self.is_below(self.sides[s as usize], corner, at));
+        let ending = self.status[low..].iter().take_while(|&&s| self.sides[s as usize].r == corner).count();
         // The trapezoids that end here: over the floor below the corner, and over each floor that ends in it.
         for position in low.saturating_sub(1)..low + ending {
             self.end_trapezoid(position, corner, starts_hole);
         }
         if let Some(under) = low.checked_sub(1) {
-            self.begun[self.active[under]] = corner;
+            self.begun[self.status[under] as usize] = corner;
         }
-        self.active.splice(low..low + ending, beginning);
+        self.status.splice(low..low + ending, beginning.iter().copied());
     }
 
-    fn end_trapezoid(&mut self, position: usize, corner: GridPoint, is_bridge: bool) {
-        let floor = self.active[position];
-        let from = self.begun[floor];
+    /// A corner may also touch a side from outside, in its interior; a ceiling is then below the corner.
+    fn is_below(&self, s: Side, corner: u32, at: GridPoint) -> bool {
+        match side(self.corners.point(s.l), self.corners.point(s.r), at) {
+            Ordering::Greater => true,
+            Ordering::Equal => s.r != corner && !s.is_floor,
+            Ordering::Less => false,
+        }
+    }
+
+    fn end_trapezoid(&mut self, position: usize, corner: u32, is_bridge: bool) {
+        let floor = self.status[position];
+        let from = self.begun[floor as usize];
         // A trapezoid that began and ends on the same side has that side, not a diagonal, between its two corners.
-        let is_side = |s: usize| self.sides[s].l == from && self.sides[s].r == corner;
-        let is_diagonal = !is_side(floor) && !self.active.get(position + 1).is_some_and(|&above| is_side(above));
-        if self.sides[floor].is_floor && is_diagonal {
+        let is_side = |s: u32| self.sides[s as usize].l == from && self.sides[s as usize].r == corner;
+        let is_diagonal = !is_side(floor) && !self.status.get(position + 1).is_some_and(|&above| is_side(above));
+        if self.sides[floor as usize].is_floor && is_diagonal {
             self.diagonals.push(Diagonal { from, to: corner, is_bridge });
         }
     }

@@ -4,19 +4,23 @@
 //! and area and edges stay exact. Rejected: cuts along horizontal or vertical lines, as layout tools make them. They put
 //! new points on slanted edges, off the grid.
 //!
-//! 1. [`diagonals`] cuts a polygon with holes into monotone mountains, which have one long edge and a chain over it. One
+//! 1. [`corners`] numbers the corners from left to right; [`diagonals`] cuts a polygon with holes into monotone mountains, which have one long edge and a chain over it. One
 //!    diagonal for each hole is its *bridge*. If a polygon is small enough, its outline along the bridges, with one keyhole
 //!    for each hole, is the result ([`half_edges`]).
 //! 2. Otherwise, [`triangulate`] cuts the monotone mountains into triangles.
 //! 3. [`partition`] joins triangles over every diagonal that is no bridge, up to the limit. With a bridge for each hole the
 //!    triangles form a tree, so the outline of a connected part is found by walking around it.
 
+mod corners;
 mod diagonals;
 mod half_edges;
 mod partition;
 mod triangulate;
 
 use rayon::prelude::*;
+
+use corners::Corners;
+use half_edges::HalfEdges;
 
 use crate::{
     contours::Contours,
@@ -78,16 +82,17 @@ fn cut_polygon(polygon: RegionPolygon, max_points: usize) -> Contours {
     if polygon.holes().len() == 0 && polygon.outer().len() <= max_points {
         return [polygon.outer().to_vec()].into_iter().collect();
     }
-    let outlines: Vec<&[GridPoint]> = std::iter::once(polygon.outer()).chain(polygon.holes()).collect();
-    let diagonals = diagonals::diagonals(&outlines);
+    let rings: Vec<&[GridPoint]> = std::iter::once(polygon.outer()).chain(polygon.holes()).collect();
+    let corners = Corners::new(&rings);
+    let diagonals = diagonals::diagonals(&corners);
     let bridges = diagonals.iter().filter(|diagonal| diagonal.is_bridge);
     if polygon.point_count() + 2 * bridges.clone().count() <= max_points {
         let mut opened = Contours::with_capacity(1, polygon.point_count() + 2 * polygon.holes().len());
-        half_edges::for_each_face(&outlines, bridges, |face| opened.push(face.iter().copied()));
+        let halves = HalfEdges::new(&corners, bridges);
+        halves.for_each_face(|face, _| opened.push(face.iter().map(|&corner| corners.point(corner))));
         return opened;
     }
-    let triangles = triangulate::triangles(&outlines, &diagonals);
-    partition::parts(&triangles, &diagonals, max_points)
+    partition::parts(&corners, &triangulate::triangles(&corners, &diagonals), max_points)
 }
 
 #[cfg(test)]

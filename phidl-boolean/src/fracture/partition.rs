@@ -1,28 +1,28 @@
 //! Joins triangles to parts with a limited number of points.
 
-use super::{diagonals::Diagonal, triangulate::Triangle};
+use super::{
+    corners::Corners,
+    triangulate::{NONE, Triangles},
+};
 use crate::{contours::Contours, point::GridPoint};
-
-const NONE: usize = usize::MAX;
 
 /// The triangles as a forest.
 struct Forest<'a> {
-    triangles: &'a [Triangle],
-    /// The triangle across each edge; none across rings and bridges.
-    across: Vec<[usize; 3]>,
-    parent: Vec<usize>,
+    corners: &'a Corners,
+    triangles: &'a Triangles,
+    parent: Vec<u32>,
     /// Each triangle after its parent.
-    order: Vec<usize>,
+    order: Vec<u32>,
 }
 
 /// Joins triangles to few parts, by a greedy walk.
-pub(super) fn parts(triangles: &[Triangle], diagonals: &[Diagonal], max_points: usize) -> Contours {
-    let mut forest = Forest::new(triangles, diagonals);
+pub(super) fn parts(corners: &Corners, triangles: &Triangles, max_points: usize) -> Contours {
+    let mut forest = Forest::new(corners, triangles);
     forest.cut(max_points - 2);
     let mut parts = Contours::new();
     let mut outline = Vec::new();
     for &root in &forest.order {
-        if forest.parent[root] == NONE {
+        if forest.parent[root as usize] == NONE {
             outline.clear();
             forest.walk_around(root, &mut outline);
             parts.push(outline.iter().copied());
@@ -32,23 +32,24 @@ pub(super) fn parts(triangles: &[Triangle], diagonals: &[Diagonal], max_points: 
 }
 
 impl<'a> Forest<'a> {
-    fn new(triangles: &'a [Triangle], diagonals: &[Diagonal]) -> Self {
-        let across = neighbors(triangles, diagonals);
-        let mut forest = Self { triangles, across, parent: vec![NONE; triangles.len()], order: Vec::new() };
-        let mut is_reached = vec![false; triangles.len()];
+    #[expect(clippy::cast_possible_truncation, reason = "a region has fewer than 2^31 points")]
+    fn new(corners: &'a Corners, triangles: &'a Triangles) -> Self {
+        let count = triangles.corners.len();
+        let mut forest = Self { corners, triangles, parent: vec![NONE; count], order: Vec::with_capacity(count) };
+        let mut is_reached = vec![false; count];
         let mut stack = Vec::new();
-        for root in 0..triangles.len() {
+        for root in 0..count {
             if is_reached[root] {
                 continue;
             }
             is_reached[root] = true;
-            stack.push(root);
+            stack.push(root as u32);
             while let Some(triangle) = stack.pop() {
                 forest.order.push(triangle);
-                for other in forest.across[triangle] {
-                    if other != NONE && !is_reached[other] {
-                        is_reached[other] = true;
-                        forest.parent[other] = triangle;
+                for other in triangles.across[triangle as usize] {
+                    if other != NONE && !is_reached[other as usize] {
+                        is_reached[other as usize] = true;
+                        forest.parent[other as usize] = triangle;
                         stack.push(other);
                     }
                 }
@@ -59,63 +60,46 @@ impl<'a> Forest<'a> {
 
     /// Cuts branches off so that no tree has more than `limit` triangles; `t` triangles have `t + 2` points around.
     fn cut(&mut self, limit: usize) {
-        let mut size = vec![1; self.triangles.len()];
+        let mut size = vec![1; self.triangles.corners.len()];
         for &triangle in self.order.iter().rev() {
-            let mut branches: Vec<usize> =
-                self.across[triangle].into_iter().filter(|&b| b != NONE && self.parent[b] == triangle).collect();
-            branches.sort_unstable_by_key(|&branch| size[branch]);
-            size[triangle] += branches.iter().map(|&branch| size[branch]).sum::<usize>();
-            while size[triangle] > limit {
-                let Some(largest) = branches.pop() else { break };
-                size[triangle] -= size[largest];
-                self.parent[largest] = NONE;
+            let across = self.triangles.across[triangle as usize];
+            let mut branches = across;
+            let mut count = 0;
+            for branch in across.into_iter().filter(|&b| b != NONE && self.parent[b as usize] == triangle) {
+                branches[count] = branch;
+                count += 1;
             }
+            let branches = &mut branches[..count];
+            branches.sort_unstable_by_key(|&branch| size[branch as usize]);
+            let mut total = 1 + branches.iter().map(|&branch| size[branch as usize]).sum::<usize>();
+            for &largest in branches.iter().rev() {
+                if total <= limit {
+                    break;
+                }
+                total -= size[largest as usize];
+                self.parent[largest as usize] = NONE;
+            }
+            size[triangle as usize] = total;
         }
     }
 
     /// Writes the corners around the tree of `root`, counter-clockwise.
-    fn walk_around(&self, root: usize, outline: &mut Vec<GridPoint>) {
+    fn walk_around(&self, root: u32, outline: &mut Vec<GridPoint>) {
         let mut todo = vec![(root, 0, 3)];
         while let Some((triangle, edge, left)) = todo.pop() {
             if left == 0 {
                 continue;
             }
             todo.push((triangle, (edge + 1) % 3, left - 1));
-            let other = self.across[triangle][edge];
-            if other != NONE && self.parent[other] == triangle {
+            let other = self.triangles.across[triangle as usize][edge];
+            if other != NONE && self.parent[other as usize] == triangle {
                 // Around the branch instead of over the edge: all its edges but the one it is reached over.
-                let entry = self.across[other].iter().position(|&back| back == triangle).unwrap_or(0);
+                let across = self.triangles.across[other as usize];
+                let entry = across.iter().position(|&back| back == triangle).unwrap_or(0);
                 todo.push((other, (entry + 1) % 3, 2));
             } else {
-                outline.push(self.triangles[triangle][edge]);
+                outline.push(self.corners.point(self.triangles.corners[triangle as usize][edge]));
             }
         }
     }
-}
-
-/// The triangle across each edge of each triangle.
-fn neighbors(triangles: &[Triangle], diagonals: &[Diagonal]) -> Vec<[usize; 3]> {
-    let mut edges: Vec<(GridPoint, GridPoint, usize, usize)> = Vec::with_capacity(3 * triangles.len());
-    for (number, triangle) in triangles.iter().enumerate() {
-        for edge in 0..3 {
-            edges.push((triangle[edge], triangle[(edge + 1) % 3], number, edge));
-        }
-    }
-    edges.sort_unstable();
-    let mut bridges: Vec<(GridPoint, GridPoint)> =
-        diagonals.iter().filter(|c| c.is_bridge).map(|c| (c.from, c.to)).collect();
-    bridges.sort_unstable();
-
-    let mut across = vec![[NONE; 3]; triangles.len()];
-    for &(from, to, number, edge) in &edges {
-        let twin = edges.partition_point(|other| (other.0, other.1) < (to, from));
-        let is_open = bridges.binary_search(&(from.min(to), from.max(to))).is_err();
-        if let Some(&(a, b, other, _)) = edges.get(twin)
-            && (a, b) == (to, from)
-            && is_open
-        {
-            across[number][edge] = other;
-        }
-    }
-    across
 }
