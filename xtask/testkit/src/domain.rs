@@ -10,7 +10,7 @@ use proptest::prelude::*;
 use proptest::sample::select;
 use proptest::test_runner::{Config, TestRunner};
 
-/// A search through a domain: so many cases, or as many as `PROPTEST_CASES` says, for a longer look by hand.
+/// A search through a domain with this number of cases, or with that of `PROPTEST_CASES`, for a longer run by hand.
 #[must_use]
 pub fn search(cases: u32) -> TestRunner {
     let usual = Config::default();

@@ -16,7 +16,7 @@ pub enum Kind {
     Placement,
     /// Path segments with operations and perhaps an extrusion.
     Path,
-    /// A route or the way points of one.
+    /// A route or the waypoints of one.
     Routing,
 }
 

@@ -8,10 +8,10 @@ use serde::Deserialize;
 use serde_json::Value as Json;
 
 use super::Case;
-use super::condition::parameter;
-use super::differences::{Difference, Instead, differences};
 use super::region::{agree_on_grid, merged_area, xor_area};
 
+/// By which part a number is changed by a hair.
+pub(super) const HAIR: f64 = 2e-9;
 /// How far a point may be from the reference's (µm), as the design promises.
 const POINT_TOLERANCE: f64 = 1e-6;
 /// How far angles may be apart (degrees).
@@ -24,10 +24,10 @@ const REGION_STRIP: f64 = 1e-3;
 const MERGE_STRIP: f64 = 5e-5;
 
 #[derive(Debug, Deserialize)]
-struct Described {
+pub(super) struct Described {
     bbox: Option<[[f64; 2]; 2]>,
     #[serde(default)]
-    layers: BTreeMap<String, DescribedLayer>,
+    pub(super) layers: BTreeMap<String, DescribedLayer>,
     #[serde(default)]
     ports: BTreeMap<String, DescribedPort>,
     #[serde(default)]
@@ -36,7 +36,7 @@ struct Described {
 }
 
 #[derive(Debug, Deserialize)]
-struct DescribedLayer {
+pub(super) struct DescribedLayer {
     polygons: usize,
     vertices: usize,
     area: f64,
@@ -50,14 +50,14 @@ struct DescribedPort {
     orientation: f64,
 }
 
-/// The functions whose results are regions on a grid: where an outline begins and where a hole is cut open is nobody's.
+/// The functions whose results are regions on a grid: where an outline begins and where a hole is cut open is not defined.
 const SET_FUNCTIONS: [&str; 6] = ["boolean", "offset", "outline", "invert", "xor_diff", "union"];
-/// The grid step that they have unless told otherwise (µm).
+/// Their grid step by default (µm).
 const SET_PRECISION: f64 = 1e-4;
 
 /// What of a device is compared.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Extent {
+pub(super) enum Extent {
     /// Points in order, hash, box, ports and info.
     All,
     /// Points in order, box, ports and info: the hash cuts coordinates off, so that a hair may change it.
@@ -68,6 +68,8 @@ enum Extent {
     OnGrid(f64),
     /// The corners in any order and the box to a step of this grid (µm), ports and info.
     Corners(f64),
+    /// Area of each layer, box, port widths and info to this part of them.
+    Within(f64),
     /// Every polygon of the reference is there; ours has glyphs besides. Ports and info.
     Contains,
     /// Ports and info.
@@ -76,7 +78,7 @@ enum Extent {
 
 impl Extent {
     /// What a case has compared.
-    fn of(case: &Case) -> Self {
+    pub(super) fn of(case: &Case) -> Self {
         if case.compare.as_deref() == Some("region") {
             return Self::Region;
         }
@@ -88,112 +90,8 @@ impl Extent {
 }
 
 /// The grid step of a set function (µm).
-fn step_of(case: &Case) -> f64 {
+pub(super) fn step_of(case: &Case) -> f64 {
     case.params.get("precision").and_then(Json::as_f64).unwrap_or(SET_PRECISION)
-}
-
-/// By which part a number is changed by a hair.
-const HAIR: f64 = 2e-9;
-
-/// Runs all cases, prints a line for each, and panics with all that failed.
-///
-/// # Panics
-/// If a case fails.
-pub fn assert_all(cases: &[Case], draw: impl Fn(&Case) -> Result<Device>) {
-    let differences = differences();
-    let mut failures = Vec::new();
-    for case in cases {
-        let outcome = check(case, None, &draw).or_else(|why| {
-            match differences.iter().find(|difference| difference.applies_to(case)) {
-                Some(difference) => check(case, Some(difference), &draw),
-                None => Err(why),
-            }
-        });
-        #[expect(clippy::print_stdout, reason = "one line a case, shown by the test runner on failure or demand")]
-        {
-            println!("{:<28} {}", case.id, outcome.as_ref().map_or_else(String::as_str, |()| "ok"));
-        }
-        failures.extend(outcome.err().map(|why| format!("{}: {why}", case.id)));
-    }
-    assert!(failures.is_empty(), "{} of {} cases:\n{}", failures.len(), cases.len(), failures.join("\n"));
-}
-
-/// Checks that every difference about one of these functions is needed by a case, or is marked as for further ones: that
-/// the first difference which applies to a case is about something in which the two do differ.
-///
-/// # Panics
-/// With the differences that are not.
-pub fn assert_differences_are_needed(cases: &[Case], functions: &[&str], draw: impl Fn(&Case) -> Result<Device>) {
-    let differences = differences();
-    let mut needed = vec![false; differences.len()];
-    for case in cases {
-        if let Some(i) = differences.iter().position(|difference| difference.applies_to(case)) {
-            needed[i] = needed[i] || check(case, None, &draw).is_err();
-        }
-    }
-    let about = |d: &Difference| functions.iter().any(|name| d.is_about(name));
-    let wrong: Vec<String> = differences
-        .iter()
-        .zip(needed)
-        .filter(|(difference, needed)| about(difference) && difference.further == *needed)
-        .map(|(difference, needed)| format!("{:?} ({}): needed is {needed}", difference.function, difference.condition))
-        .collect();
-    assert!(wrong.is_empty(), "differences.toml has `further` wrong:\n{}", wrong.join("\n"));
-}
-
-fn check(case: &Case, difference: Option<&Difference>, draw: impl Fn(&Case) -> Result<Device>) -> Result<(), String> {
-    let drawn = draw(case);
-    if drawn.is_err() && case.expect.get("error").is_some() {
-        return Ok(());
-    }
-    let same = |drawn: Result<Device>, extent: Extent| -> Result<(), String> {
-        if case.expect.get("error").is_some() {
-            return Err("the reference refuses it, ours draws it".to_owned());
-        }
-        let device = drawn.map_err(|error| format!("ours refuses it: {}", error.report()))?;
-        compare(&device, &case.expect, extent)
-    };
-    match difference.map(|difference| (difference.compare, difference)) {
-        Some((Instead::Nothing, _)) => Ok(()),
-        Some((Instead::Error, _)) => drawn.map_or(Ok(()), |_| Err("ours draws it and is said to refuse".to_owned())),
-        Some((Instead::ErrorOrSame, _)) if drawn.is_err() => Ok(()),
-        Some((Instead::Drawn, _)) => drawn.map_or_else(|error| Err(error.report()), |_| Ok(())),
-        Some((Instead::Nearby, difference)) => same(drawn, Extent::of(case)).or_else(|why| {
-            let nearby = difference.nudge.iter().flat_map(|name| nudged(case, name));
-            let found = nearby.map(|case| same(draw(&case), Extent::Points)).any(|outcome| outcome.is_ok());
-            if found {
-                Ok(())
-            } else {
-                Err(format!("{why}; nor is it the reference's with a number changed by a hair"))
-            }
-        }),
-        Some((Instead::With, difference)) => {
-            let mut case = case.clone();
-            case.params.extend(difference.with.clone());
-            same(draw(&case), Extent::of(&case))
-        }
-        Some((Instead::CornersToAStep, _)) => same(drawn, Extent::Corners(step_of(case))),
-        Some((Instead::Region, _)) => same(drawn, Extent::Region),
-        Some((Instead::Ports, _)) => same(drawn, Extent::Ports),
-        Some((Instead::ErrorOrSame, _)) | None => same(drawn, Extent::of(case)),
-    }
-}
-
-/// The case with a number a hair smaller, and a hair larger.
-fn nudged(case: &Case, name: &str) -> Vec<Case> {
-    let Some(value) = parameter(case, name).and_then(|value| value.as_f64()) else { return Vec::new() };
-    let (first, rest) = name.split_once('.').map_or((name, None), |(first, rest)| (first, Some(rest)));
-    let with = |value: f64| {
-        let mut case = case.clone();
-        let mut whole = parameter(&case, first).unwrap_or(Json::Null);
-        match rest.and_then(|rest| rest.parse::<usize>().ok()) {
-            Some(index) => whole[index] = value.into(),
-            None => whole = value.into(),
-        }
-        case.params.insert(first.to_owned(), whole);
-        case
-    };
-    [1.0 - HAIR, 1.0 + HAIR].map(|factor| with(value * factor)).to_vec()
 }
 
 /// Compares a device with a described one in all that it states.
@@ -204,8 +102,11 @@ pub fn compare_device(device: &Device, expect: &Json) -> Result<(), String> {
     compare(device, expect, Extent::All)
 }
 
-fn compare(device: &Device, expect: &Json, extent: Extent) -> Result<(), String> {
+pub(super) fn compare(device: &Device, expect: &Json, extent: Extent) -> Result<(), String> {
     let expected = Described::deserialize(expect).map_err(|error| format!("the description is off: {error}"))?;
+    if let Extent::Within(part) = extent {
+        return within(device, &expected, part);
+    }
     ports(device, &expected.ports)?;
     let tolerance = if extent == Extent::Points { 2.0 * HAIR } else { INFO_TOLERANCE };
     info(device.info(), &expected.info, tolerance)?;
@@ -226,7 +127,31 @@ fn compare(device: &Device, expect: &Json, extent: Extent) -> Result<(), String>
     }
 }
 
-fn outlines_by_layer(device: &Device) -> BTreeMap<String, Vec<Vec<Point>>> {
+/// Areas, box, port widths and info agree to a part of them; box and ports to that part of the size.
+fn within(device: &Device, expected: &Described, part: f64) -> Result<(), String> {
+    let size = expected.bbox.map_or(0.0, |[min, max]| Point::from(min).distance(max.into()));
+    bbox(device, expected.bbox, part * size)?;
+    for (name, expected) in &expected.ports {
+        let port = device.port(name).map_err(|error| error.to_string())?;
+        let near = port.midpoint().distance(expected.midpoint.into()) <= part * size
+            && (port.width() - expected.width).abs() <= part * expected.width
+            && phidl_core::num::angle::between(port.orientation(), expected.orientation) <= ANGLE_TOLERANCE;
+        if !near {
+            return Err(format!("{port}, expected {expected:?} to {part}"));
+        }
+    }
+    info(device.info(), &expected.info, part)?;
+    let drawn = outlines_by_layer(device);
+    for (name, expected) in &expected.layers {
+        let area = drawn.get(name).map_or(0.0, |outlines| merged_area(outlines));
+        if (area - expected.area).abs() > part * expected.area {
+            return Err(format!("the area on layer {name} is {area} µm², expected {} µm² to {part}", expected.area));
+        }
+    }
+    Ok(())
+}
+
+pub(super) fn outlines_by_layer(device: &Device) -> BTreeMap<String, Vec<Vec<Point>>> {
     let mut layers: BTreeMap<String, Vec<Vec<Point>>> = BTreeMap::new();
     for polygon in device.flat_polygons() {
         let name = polygon.layer.unwrap_or_default().to_string();
@@ -249,7 +174,7 @@ fn layers(drawn: &BTreeMap<String, Vec<Vec<Point>>>, expected: &Described, exten
     Ok(())
 }
 
-fn layer(outlines: &[Vec<Point>], expected: &DescribedLayer, extent: Extent) -> Result<(), String> {
+pub(super) fn layer(outlines: &[Vec<Point>], expected: &DescribedLayer, extent: Extent) -> Result<(), String> {
     let points: Option<Vec<Vec<Point>>> = expected
         .points
         .as_ref()
@@ -278,14 +203,14 @@ fn layer(outlines: &[Vec<Point>], expected: &DescribedLayer, extent: Extent) -> 
 }
 
 /// Whether every expected outline is there, point by point in order; each of ours is taken once.
-fn contains(outlines: &[Vec<Point>], expected: &[Vec<Point>]) -> Result<(), String> {
+pub(super) fn contains(outlines: &[Vec<Point>], expected: &[Vec<Point>]) -> Result<(), String> {
     let same = |a: &[Point], b: &[Point]| {
         a.len() == b.len() && a.iter().zip(b).all(|(p, q)| p.distance(*q) <= POINT_TOLERANCE)
     };
     let mut left: Vec<&Vec<Point>> = outlines.iter().collect();
     for outline in expected {
         match left.iter().position(|ours| same(ours, outline)) {
-            Some(place) => drop(left.swap_remove(place)),
+            Some(index) => drop(left.swap_remove(index)),
             None => return Err(format!("no polygon like the one of {} points from {}", outline.len(), outline[0])),
         }
     }
@@ -325,8 +250,8 @@ fn perimeter(outline: &[Point]) -> f64 {
     (0..outline.len()).map(|i| outline[i].distance(outline[(i + 1) % outline.len()])).sum()
 }
 
-fn bbox(thing: &impl Bounded, expected: Option<[[f64; 2]; 2]>, tolerance: f64) -> Result<(), String> {
-    match (thing.bbox(), expected) {
+fn bbox(element: &impl Bounded, expected: Option<[[f64; 2]; 2]>, tolerance: f64) -> Result<(), String> {
+    match (element.bbox(), expected) {
         (Some(a), Some([min, max]))
             if a.min.distance(min.into()) <= tolerance && a.max.distance(max.into()) <= tolerance =>
         {

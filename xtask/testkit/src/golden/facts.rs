@@ -1,40 +1,20 @@
-//! Facts about a case that can be computed: of the reference's drawing, of the domain of the parameters, and rules that
-//! are more than a comparison.
+//! Facts about a case that take a computation: of the reference's drawing, and of the domain of the parameters.
 
 use phidl_core::geom::{Point, Rect};
 use phidl_core::param::{Bounds, ParamType};
 use phidl_core::runtime::registry;
-use serde::Deserialize;
 use serde_json::Value as Json;
 
 use super::Case;
-use super::condition::{numbers, parameter};
 use super::region::merged_area;
 
-/// What the reference made of a case.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub(super) enum Reference {
-    /// An error.
-    Refuses,
-    /// Outlines of which at least one encloses nothing, or crosses itself; or none, because they are on no layer.
-    DrawsNoShape,
-}
-
-impl Reference {
-    /// Whether this is so in a case.
-    #[must_use]
-    pub(super) fn holds(self, case: &Case) -> bool {
-        match self {
-            Self::Refuses => case.expect.get("error").is_some(),
-            Self::DrawsNoShape => {
-                // On no layer nobody sees what the outlines are like.
-                let unseen = case.params.get("layer").is_some_and(Json::is_null);
-                let sound = |outline: &Vec<Point>| !encloses_nothing(outline) && !crosses_itself(outline);
-                unseen || !outlines(&case.expect).iter().all(sound)
-            }
-        }
-    }
+/// Whether the reference drew an outline that encloses nothing or crosses itself, or drew on no layer, where outlines
+/// cannot be judged.
+#[must_use]
+pub(super) fn draws_no_shape(case: &Case) -> bool {
+    let unseen = case.params.get("layer").is_some_and(Json::is_null);
+    let sound = |outline: &Vec<Point>| !encloses_nothing(outline) && !crosses_itself(outline);
+    unseen || !outlines(&case.expect).iter().all(sound)
 }
 
 fn outlines(expect: &Json) -> Vec<Vec<Point>> {
@@ -51,7 +31,7 @@ fn encloses_nothing(outline: &[Point]) -> bool {
     phidl_core::geom::signed_area(outline).abs() <= 1e-7 * longest.max(1e-7)
 }
 
-/// Whether it winds around something twice, or around something the other way: then it does not enclose as much as it covers.
+/// Whether it winds around a point twice, or the other direction: then it encloses less than it covers.
 fn crosses_itself(outline: &[Point]) -> bool {
     let length: f64 = (0..outline.len()).map(|i| outline[i].distance(outline[(i + 1) % outline.len()])).sum();
     // Points are rounded to 1e-7 µm.
@@ -90,59 +70,14 @@ fn is_outside(v: f64, bounds: &Bounds) -> bool {
         || bounds.below.is_some_and(|below| v >= below)
 }
 
-/// Rules of `differences.toml` that need computation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub(super) enum Rule {
-    /// `optimal_step`: the widths differ by no more than the parts of them that `width_tol` cuts off.
-    WidthsWithinTolerance,
-    /// `optimal_hairpin` and what is made of it: a turn of the reference reaches further than its length.
-    TurnLongerThanLength,
-    /// `meander_taper`: fewer than two places, or places that do not rise.
-    PlacesDoNotRise,
-    /// A layer parameter is null, which draws nothing there.
-    LayerLeftOut,
-    /// `text`: a character that the built-in font does not have.
-    CharacterWithoutGlyph,
-    /// `arc` and `turn`: fewer than two points on a side.
-    FewerThanTwoPoints,
-}
-
-impl Rule {
-    /// Whether it holds for a case.
-    #[must_use]
-    pub(super) fn holds(self, case: &Case) -> bool {
-        let number = |name: &str| parameter(case, name).and_then(|value| value.as_f64()).unwrap_or(f64::NAN);
-        match self {
-            Self::WidthsWithinTolerance => {
-                let (start, end, part) = (number("start_width"), number("end_width"), number("width_tol"));
-                start != end && start.min(end) * (1.0 + part) >= start.max(end) * (1.0 - part)
-            }
-            Self::TurnLongerThanLength => turn_is_longer_than_length(case, number),
-            Self::PlacesDoNotRise => {
-                let places = parameter(case, "x_taper").map(|places| numbers(&places)).unwrap_or_default();
-                places.len() < 2 || places.windows(2).any(|pair| pair[1] <= pair[0])
-            }
-            Self::LayerLeftOut => case.params.iter().any(|(name, value)| name.ends_with("layer") && value.is_null()),
-            Self::CharacterWithoutGlyph => {
-                let text = parameter(case, "text").and_then(|text| text.as_str().map(str::to_owned));
-                text.is_some_and(|text| text.chars().any(|c| !matches!(c, ' '..='~' | 'µ' | '\n')))
-            }
-            Self::FewerThanTwoPoints => {
-                let angle = if case.device == "turn" { number("angle") } else { number("theta") };
-                (angle.abs() / number("angle_resolution")).ceil() < 2.0
-            }
-        }
-    }
-}
-
-/// Looks for the halves of turns among the reference's outlines, by their height.
-fn turn_is_longer_than_length(case: &Case, number: impl Fn(&str) -> f64) -> bool {
+/// `optimal_hairpin` and what is made of it: whether a turn of the reference reaches further than its length. Looks for
+/// the halves of turns among the reference's outlines, by their height.
+pub(super) fn turn_is_longer_than_length(case: &Case) -> bool {
     let (height, length) = match case.device.as_str() {
-        "optimal_hairpin" => ((number("pitch") + number("width")) / 2.0, number("length")),
+        "optimal_hairpin" => ((case.number("pitch") + case.number("width")) / 2.0, case.number("length")),
         _ => {
             let width = case.expect["info"]["size"][0].as_f64().unwrap_or(f64::NAN);
-            ((number("wire_pitch") + number("wire_width")) / 2.0, width / 2.0)
+            ((case.number("wire_pitch") + case.number("wire_width")) / 2.0, width / 2.0)
         }
     };
     let sizes = outlines(&case.expect).into_iter().filter_map(Rect::around);

@@ -4,15 +4,21 @@
 //! folder that the environment variable `PHIDL_GOLDEN` names, and take the cases of their kind from all of them.
 
 mod cases;
+mod check;
 mod compare;
-mod condition;
+mod difference;
 mod differences;
 mod facts;
 #[cfg(test)]
 mod page;
+mod parameters;
+mod refusal;
 mod region;
 
 pub use cases::{Case, Kind, load};
-pub use compare::{assert_all, assert_differences_are_needed, compare_device, compare_reference};
-pub use differences::{Difference, Instead, Names, differences};
+pub use check::{assert_all, assert_differences_are_needed};
+pub use compare::{compare_device, compare_reference};
+pub use difference::{Difference, Instead, Refusal};
+pub use differences::differences;
+pub use refusal::assert_refused;
 pub use region::{agree_on_grid, merged_area, xor_area};
