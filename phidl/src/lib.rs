@@ -80,8 +80,3 @@ pub use phidl_route as route;
 #[cfg(all(doctest, feature = "shapes", feature = "io"))]
 #[doc = include_str!("../README.md")]
 struct Readme;
-
-/// The example of the project's README.
-#[cfg(all(doctest, feature = "shapes"))]
-#[doc = include_str!("../../README.md")]
-struct ProjectReadme;
