@@ -1,5 +1,5 @@
-//! Reference results of routes and waypoints. What may differ stands in testkit's `differences.toml`; everything else
-//! must match.
+//! Reference results of routes and waypoints. What may differ is in testkit's table of differences; everything else must
+//! match.
 
 use phidl_core::num::angle;
 use phidl_core::prelude::*;
@@ -7,7 +7,7 @@ use phidl_core::runtime::registry;
 use phidl_path::Path;
 use phidl_route as route;
 use serde_json::Value as Json;
-use testkit::golden::{Case, Kind, compare_device, differences, load};
+use testkit::golden::{Case, Kind, Refusal, assert_refused, compare_device, differences, load};
 
 /// Points agree to this (µm), and lengths.
 const TOLERANCE: f64 = 1e-6;
@@ -36,13 +36,18 @@ fn check(case: &Case) -> std::result::Result<(), String> {
 /// An exception may be made only if it stands in the list of deliberate differences.
 fn must_be_listed(function: &str, condition: &str) {
     let listed = differences().iter().any(|d| d.is_about(function) && d.condition.contains(condition));
-    assert!(listed, "differences.toml knows nothing of {function} with {condition}");
+    assert!(listed, "the table of differences has no entry for {function} with {condition}");
+}
+
+/// Ours refuses, since the ports or the lengths do not go together.
+fn refused<T>(case: &Case, drawn: &Result<T>) -> std::result::Result<(), String> {
+    assert_refused(case, Refusal::Geometry, drawn)
 }
 
 fn check_way(case: &Case, kind: &str) -> std::result::Result<(), String> {
     let drawn = way(case, kind);
     if case.expect.get("error").is_some() {
-        return drawn.map_or(Ok(()), |_| Err("the reference refuses it, ours draws it".to_owned()));
+        return refused(case, &drawn);
     }
     if kind == "V" && drawn.is_err() {
         must_be_listed("path_V", "parallel");
@@ -60,23 +65,23 @@ fn check_way(case: &Case, kind: &str) -> std::result::Result<(), String> {
 fn check_route(case: &Case) -> std::result::Result<(), String> {
     let drawn = registry::find(&case.function).and_then(|entry| entry.build(&case.values()));
     if case.expect.get("error").is_some() {
-        return drawn.map_or(Ok(()), |_| Err("the reference refuses it, ours draws it".to_owned()));
+        return refused(case, &drawn);
     }
     if case.params.get("path_type").is_some_and(|kind| kind == "V") && way(case, "V").is_err() {
         must_be_listed("path_V", "parallel");
-        return drawn.map_or(Ok(()), |_| Err("ours draws a V between parallel ports".to_owned()));
+        return refused(case, &drawn);
     }
     if case.function == "route_basic" && !is_ahead(case) {
         must_be_listed("route_basic.direction", "not in front");
-        return drawn.map_or(Ok(()), |_| Err("ours leaves port1 backwards".to_owned()));
+        return refused(case, &drawn);
     }
     if is_entered_from_behind(case) {
         must_be_listed("route.direction", "from behind");
-        return drawn.map_or(Ok(()), |_| Err("ours leaves or enters a port from behind".to_owned()));
+        return refused(case, &drawn);
     }
     if case.function == "route_sharp" && sharpest_corner(case) > BEVELED {
         must_be_listed("route.folds", "more than 168.5 degrees");
-        return drawn.map_or(Ok(()), |_| Err("ours draws a wire that doubles back".to_owned()));
+        return refused(case, &drawn);
     }
     if drawn.is_err() && is_folded(&case.expect["layers"]) {
         must_be_listed("route.folds", "an edge folds back");
