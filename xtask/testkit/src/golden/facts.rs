@@ -2,7 +2,7 @@
 
 use phidl_core::geom::{Point, Rect};
 use phidl_core::param::{Bounds, ParamType};
-use phidl_core::runtime::registry;
+use phidl_core::runtime::{ParamInfo, registry};
 use serde_json::Value as Json;
 
 use super::Case;
@@ -39,20 +39,34 @@ fn crosses_itself(outline: &[Point]) -> bool {
     (merged_area(&[outline.to_vec()]) - phidl_core::geom::signed_area(outline).abs()).abs() > doubt
 }
 
-/// Whether a case gives a number outside the bounds that the registry states, or a word that is none of the choices.
+/// Whether a case gives a number outside the bounds that the registry states.
 #[must_use]
-pub(super) fn is_out_of_domain(case: &Case) -> bool {
+pub(super) fn is_out_of_bounds(case: &Case) -> bool {
+    any_param(case, |value, param| breaks(value, &param.kind, &param.bounds))
+}
+
+/// Whether a case gives a name that is none of the choices of the registry.
+#[must_use]
+pub(super) fn is_no_choice(case: &Case) -> bool {
+    any_param(case, |value, param| is_unknown(value, &param.kind))
+}
+
+fn any_param(case: &Case, holds: impl Fn(&Json, &ParamInfo) -> bool) -> bool {
     let Ok(entry) = registry::find(&case.device) else { return false };
-    let params = entry.params();
-    params
-        .iter()
-        .any(|param| case.params.get(param.name).is_some_and(|value| breaks(value, &param.kind, &param.bounds)))
+    entry.params().iter().any(|param| case.params.get(param.name).is_some_and(|value| holds(value, param)))
+}
+
+fn is_unknown(value: &Json, kind: &ParamType) -> bool {
+    match (value, kind) {
+        (value, ParamType::Optional(inner)) => is_unknown(value, inner),
+        (Json::String(name), ParamType::Choice(names)) => !names.contains(&name.as_str()),
+        _ => false,
+    }
 }
 
 fn breaks(value: &Json, kind: &ParamType, bounds: &Bounds) -> bool {
     match (value, kind) {
         (value, ParamType::Optional(inner)) => !value.is_null() && breaks(value, inner, bounds),
-        (Json::String(word), ParamType::Choice(words)) => !words.contains(&word.as_str()),
         (Json::Array(list), ParamType::List(_) | ParamType::Point | ParamType::Size) => {
             list.iter().any(|item| item.as_f64().is_some_and(|v| is_outside(v, bounds)))
         }

@@ -2,7 +2,7 @@
 
 use phidl_core::prelude::*;
 
-use super::facts::is_out_of_domain;
+use super::facts::is_out_of_bounds;
 use super::{Case, Refusal};
 
 impl Case {
@@ -31,7 +31,7 @@ fn class_of(case: &Case, error: &Error) -> Refusal {
     match innermost(error) {
         Error::Param(param) if param.param.contains("layer") => Refusal::Layer,
         Error::Param(param) if is_word(case, &param.param) => Refusal::Choice,
-        Error::Param(_) if is_out_of_domain(case) => Refusal::Bound,
+        Error::Param(_) if is_out_of_bounds(case) => Refusal::Bound,
         Error::Unknown { .. } => Refusal::Choice,
         _ => Refusal::Geometry,
     }

@@ -26,15 +26,26 @@ pub fn differences() -> Vec<&'static Difference> {
         .collect()
 }
 
-const FIRST: &[Difference] = &[Difference {
-    functions: &["*"],
-    condition: "a number outside the bounds of its parameter: no width, a negative length, more than a full turn",
-    applies: facts::is_out_of_domain,
-    reason: "PHIDL stores degenerate polygons silently; the bounds are in the documentation of each shape",
-    instead: "refused, with the bound",
-    compare: Refused(Refusal::Bound),
-    further: false,
-}];
+const FIRST: &[Difference] = &[
+    Difference {
+        functions: &["*"],
+        condition: "a number outside the bounds of its parameter: no width, a negative length, more than a full turn",
+        applies: facts::is_out_of_bounds,
+        reason: "PHIDL stores degenerate polygons silently; the bounds are in the documentation of each shape",
+        instead: "refused, with the bound",
+        compare: Refused(Refusal::Bound),
+        further: false,
+    },
+    Difference {
+        functions: &["*"],
+        condition: "a name that is none of the choices of its parameter",
+        applies: facts::is_no_choice,
+        reason: "PHIDL ignores an unknown name silently",
+        instead: "refused, with the choices",
+        compare: Refused(Refusal::Choice),
+        further: false,
+    },
+];
 
 const LAST: &[Difference] = &[Difference {
     functions: &["*"],

@@ -108,15 +108,6 @@ pub(super) const ALL: &[Difference] = &[
         further: false,
     },
     Difference {
-        functions: &["tee"],
-        condition: "taper_type is a name other than straight or fillet",
-        applies: |case| case.gives("taper_type") && !case.is_one_of("taper_type", &["straight", "fillet"]),
-        reason: "PHIDL ignores an unknown name",
-        instead: "refused",
-        compare: Refused(Refusal::Choice),
-        further: true,
-    },
-    Difference {
         functions: &["flagpole", "tee"],
         condition: "the pole of a bar with a taper is wider than the bar",
         applies: |case| {
@@ -167,7 +158,7 @@ pub(super) const ALL: &[Difference] = &[
         reason: "PHIDL ends the minimum search for the widths early and is off by up to 0.6 %; ours solves for them",
         instead: "areas, box, port widths and info to 2 %; exact widths in the tests of the shape",
         compare: Within(0.02),
-        further: false,
+        further: true,
     },
     Difference {
         functions: &["meander_taper"],
@@ -200,15 +191,6 @@ pub(super) const ALL: &[Difference] = &[
         reason: "PHIDL leaves out such characters without a space and shifts what follows",
         instead: "refused",
         compare: Refused(Refusal::Geometry),
-        further: true,
-    },
-    Difference {
-        functions: &["text"],
-        condition: "justify is a name other than left, right or center",
-        applies: |case| !case.is_one_of("justify", &["left", "right", "center"]),
-        reason: "PHIDL ignores unknown values",
-        instead: "refused",
-        compare: Refused(Refusal::Choice),
         further: true,
     },
     Difference {
