@@ -32,7 +32,7 @@
 #![doc = include_str!("../docs/divisions.svg")]
 //!
 //! This crate divides into strips, KLayout's tiling processor into tiles whose seams it merges afterwards; both have two
-//! threads. `cargo xtask figure` measures and draws it.
+//! threads. The measurement is described in `benches/README.md` of the repository.
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
@@ -43,6 +43,7 @@ mod device;
 mod engine;
 mod error;
 mod fracture;
+mod geo;
 pub mod grid;
 mod jobs;
 mod offset;

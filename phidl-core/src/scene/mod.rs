@@ -14,6 +14,7 @@ mod elements;
 mod extent;
 mod flat_counts;
 mod flatten;
+mod geo;
 mod group;
 mod key_space;
 mod keys;
