@@ -6,6 +6,7 @@
 //! | [`svg`] | pictures with the hierarchy kept, so that a large chip is a small file |
 //! | [`json`] | a device described for comparing; generators, parameters and ports beside a mask file |
 //! | [`weld`] | joints that do not gap: found across the hierarchy, written with one grid point for each corner |
+//! | `cli` | commands that list and draw the generators of a program (feature `cli`) |
 //! | [`Summary`] | a mask in a few numbers: cells, polygons, areas, labels, box, SHA-256 |
 //! | [`atomic`] | the one way in which files are written: whole, or not at all |
 //!
@@ -13,6 +14,8 @@
 //! can fail returns an [`IoError`], which names the file or cell, the element and the rule. Lengths are micrometers.
 
 pub mod atomic;
+#[cfg(feature = "cli")]
+pub mod cli;
 mod distinct;
 mod error;
 pub mod gds;

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use phidl_io::cli::{DeviceFlags, DevicesFlags};
 
 use crate::layer_file::LayerFile;
 
@@ -30,12 +31,11 @@ pub(crate) enum Command {
     Boolean(BooleanFlags),
     /// Grows or shrinks a layer of a GDSII file.
     Offset(OffsetFlags),
+    // The commands below measure phidl beside other tools, or compare with them; they need Python.
     /// Times shapes, paths, routes, cells and files beside PHIDL and gdstk.
     Bench(BenchFlags),
     /// Times booleans and offsets beside KLayout, gdstk and PHIDL on the same files.
     Compare(CompareFlags),
-    /// Measures a boolean against the number of divisions, beside KLayout, and draws the figure of it.
-    Figure(FigureFlags),
     /// Opens the masks in KLayout, gdstk and gdspy, and checks booleans and offsets of random shapes against KLayout.
     Interop(InteropFlags),
     /// Has PHIDL draw further reference results with random parameters, for the tests to run on.
@@ -50,39 +50,6 @@ pub(crate) struct MaskFlags {
     /// The folder that gets a folder for each mask.
     #[arg(long, value_name = "DIR", default_value = "target/mask")]
     pub(crate) out: PathBuf,
-}
-
-/// Flags of `devices`.
-#[derive(Debug, Args)]
-pub(crate) struct DevicesFlags {
-    /// Only devices whose name contains this.
-    pub(crate) filter: Option<String>,
-    /// As JSON, for other programs.
-    #[arg(long)]
-    pub(crate) json: bool,
-}
-
-/// Flags of `device`.
-#[derive(Debug, Args)]
-pub(crate) struct DeviceFlags {
-    /// The registered name.
-    #[arg(required_unless_present = "batch")]
-    pub(crate) name: Option<String>,
-    /// Parameters as JSON; those that are left out have their defaults.
-    #[arg(long, value_name = "JSON", default_value = "{}", conflicts_with = "batch")]
-    pub(crate) params: String,
-    /// The file to write; its ending says what: .gds, .svg or .json.
-    #[arg(long, value_name = "FILE", required_unless_present = "batch", conflicts_with = "batch")]
-    pub(crate) out: Option<PathBuf>,
-    /// A .svg file is a small figure with ports and a scale, as documentation has them.
-    #[arg(long, conflicts_with = "batch")]
-    pub(crate) figure: bool,
-    /// A JSON list of {"id", "device", "params"}, each drawn to ID.json.
-    #[arg(long, value_name = "FILE", requires = "out_dir", conflicts_with = "name")]
-    pub(crate) batch: Option<PathBuf>,
-    /// The folder for the results of --batch.
-    #[arg(long, value_name = "DIR", requires = "batch")]
-    pub(crate) out_dir: Option<PathBuf>,
 }
 
 /// Flags of `gallery`.
@@ -218,23 +185,6 @@ pub(crate) struct CompareFlags {
     /// The folder for scenes and the virtual environment.
     #[arg(long, value_name = "DIR", default_value = "target/compare")]
     pub(crate) out: PathBuf,
-}
-
-/// Flags of `figure`.
-#[derive(Debug, Args)]
-pub(crate) struct FigureFlags {
-    /// Shapes of each kind in each of two layers; 52 vertices for each.
-    #[arg(long, value_name = "N", default_value_t = 10_000)]
-    pub(crate) shapes: usize,
-    /// Number of threads, for both.
-    #[arg(long, value_name = "N", default_value_t = 2)]
-    pub(crate) threads: usize,
-    /// Where the figure is drawn.
-    #[arg(long, value_name = "FILE", default_value = "phidl-boolean/docs/divisions.svg")]
-    pub(crate) out: PathBuf,
-    /// The folder for the scene and the virtual environment.
-    #[arg(long, value_name = "DIR", default_value = "target/compare")]
-    pub(crate) scratch: PathBuf,
 }
 
 /// Flags of `interop`.

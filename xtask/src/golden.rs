@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use anyhow::Context;
 use phidl_core::registry;
+use phidl_io::cli;
 
-use crate::devices;
 use crate::flags::GoldenFlags;
 use crate::python::Python;
 
@@ -22,7 +22,7 @@ pub(crate) fn run(flags: &GoldenFlags) -> anyhow::Result<()> {
     let Some(old) = Python::with(&flags.peers.join("phidl-1.5"), OLD_PHIDL)? else { return Ok(()) };
     let registry = flags.peers.join("registry.json");
     let entries: Vec<_> = registry::all().collect();
-    std::fs::write(&registry, devices::to_json(&entries).to_string())
+    std::fs::write(&registry, cli::devices::to_json(&entries).to_string())
         .with_context(|| registry.display().to_string())?;
     let mut arguments = vec![text(&registry)?, text(&flags.out)?];
     match &flags.redraw {

@@ -2,7 +2,8 @@
 
 /// The first paragraph in one line, without code marks and without what only a browser can follow: `[text](target)` is
 /// its text.
-pub(crate) fn first_paragraph(markdown: &str) -> String {
+#[must_use]
+pub fn first_paragraph(markdown: &str) -> String {
     let paragraph = markdown.trim().split("\n\n").next().unwrap_or_default();
     let mut text = paragraph.split_whitespace().collect::<Vec<_>>().join(" ");
     while let Some(joint) = text.find("](") {

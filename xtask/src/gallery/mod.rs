@@ -3,22 +3,19 @@
 //! The figures are in the documentation: `#[device(picture = …)]` names a file that is part of the repository. So they
 //! can go stale, and a test here fails when one has; `--bless` draws them anew.
 
-mod colors;
-mod page;
 mod paths;
-mod plate;
 mod sheet;
 mod tutorials;
 
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail};
+use phidl_core::runtime::GeneratorInfo;
 use phidl_io::atomic;
+use phidl_io::cli::gallery::{self, Plate, figure_options};
 
 use crate::flags::GalleryFlags;
 use crate::progress::Progress;
-pub(crate) use colors::figure_options;
-use plate::Plate;
 
 /// The sheet, as the README shows it.
 const SHEET: &str = "docs/gallery.svg";
@@ -35,7 +32,7 @@ struct Drawn {
 /// Draws the gallery, or checks what of it is in the repository.
 pub(crate) fn run(flags: &GalleryFlags) -> anyhow::Result<()> {
     let progress = Progress::new();
-    let plates = plate::all(|name| progress.step(format!("drawing {name}")))?;
+    let plates = plates(|step| progress.step(step))?;
     progress.step("packing the sheet");
     let sheet = sheet::draw(&plates)?;
     let drawn = committed(&plates, &sheet)?;
@@ -51,10 +48,16 @@ pub(crate) fn run(flags: &GalleryFlags) -> anyhow::Result<()> {
     }
     write(&flags.out.join("gallery.svg"), sheet.as_bytes())?;
     write(&flags.out.join("gallery.png"), &sheet::to_png(&sheet, PIXELS)?)?;
-    write(&flags.out.join("index.html"), page::html(&plates).as_bytes())?;
+    write(&flags.out.join("index.html"), gallery::html(&plates, "cargo xtask").as_bytes())?;
     drop(progress);
     println!("{} figures, gallery.svg, gallery.png and index.html in {}", plates.len(), flags.out.display());
     Ok(())
+}
+
+/// The devices of our libraries, by name.
+fn plates(step: impl FnMut(String)) -> anyhow::Result<Vec<Plate>> {
+    let ours = |entry: &GeneratorInfo| ["phidl_geometry", "phidl_route"].contains(&gallery::krate(entry));
+    Ok(gallery::all(ours, step)?)
 }
 
 /// All drawings of the repository as they are now: those of devices, of paths, of tutorials, and the sheet.
@@ -92,19 +95,22 @@ fn root() -> &'static Path {
 }
 
 #[cfg(test)]
+mod listed;
+
+#[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn the_drawings_of_the_repository_are_what_is_drawn_now() {
-        let plates = plate::all(|_| {}).unwrap();
+        let plates = plates(|_| {}).unwrap();
         let sheet = sheet::draw(&plates).unwrap();
         check(&committed(&plates, &sheet).unwrap()).unwrap();
     }
 
     #[test]
     fn every_device_of_the_libraries_has_its_drawing() {
-        for plate in plate::all(|_| {}).unwrap() {
+        for plate in plates(|_| {}).unwrap() {
             assert!(plate.file.is_some(), "{} has no #[device(picture = …)]", plate.name);
             // A blank line would end the HTML in the documentation; ids would meet those of other figures.
             assert!(!plate.figure.contains("\n\n") && !plate.figure.contains(" id="), "{}", plate.name);
@@ -113,7 +119,7 @@ mod tests {
 
     #[test]
     fn figures_are_small() {
-        for plate in plate::all(|_| {}).unwrap() {
+        for plate in plates(|_| {}).unwrap() {
             assert!(plate.figure.len() < 24_000, "{}: {} bytes", plate.name, plate.figure.len());
         }
     }

@@ -5,12 +5,10 @@ use phidl_core::geom;
 use phidl_core::prelude::*;
 use phidl_geometry::text::Justify;
 use phidl_geometry::{PackerParams, rectangle, text};
+use phidl_io::cli::gallery::{Plate, add_layers};
 use phidl_io::svg::{self, FigureOptions, ScaleBar};
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
-
-use super::colors::add_layers;
-use super::plate::Plate;
 
 /// Cards, lettering and scales: layers that no example uses.
 const CARD: Layer = Layer::new(900, 0);

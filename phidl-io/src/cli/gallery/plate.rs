@@ -5,49 +5,56 @@ use std::path::PathBuf;
 use phidl_core::prelude::*;
 use phidl_core::registry;
 use phidl_core::runtime::GeneratorInfo;
-use phidl_io::svg;
 
 use super::figure_options;
-use crate::summary::first_paragraph;
+use crate::cli::{CliError, first_paragraph};
+use crate::svg;
 
-/// Modules whose results are only understood beside what they were made from.
+/// Modules whose results are only understood beside their sources.
 const SHOW_SOURCES: [&str; 3] = ["phidl_geometry::boolean", "phidl_geometry::fill", "phidl_geometry::select::extract"];
 
-/// A device with everything that the gallery shows of it.
-pub(crate) struct Plate {
-    pub(crate) name: &'static str,
+/// A device with all that the gallery shows of it.
+pub struct Plate {
+    /// Its registered name.
+    pub name: &'static str,
     /// Its crate and its family, `phidl_geometry::basic`.
-    pub(crate) family: String,
+    pub family: String,
     /// The first paragraph of its documentation.
-    pub(crate) summary: String,
+    pub summary: String,
     /// Where its figure lies in the repository, if its documentation shows one.
-    pub(crate) file: Option<PathBuf>,
-    pub(crate) device: Device,
-    pub(crate) figure: String,
-    pub(crate) rust: String,
-    pub(crate) json: String,
+    pub file: Option<PathBuf>,
+    /// The example.
+    pub device: Device,
+    /// Its figure as SVG.
+    pub figure: String,
+    /// Its call in Rust.
+    pub rust: String,
+    /// Its parameters for a call by name.
+    pub json: String,
 }
 
-/// The devices of our libraries, by name.
-pub(crate) fn all(mut begin: impl FnMut(&str)) -> anyhow::Result<Vec<Plate>> {
-    let ours = |entry: &&GeneratorInfo| ["phidl_geometry", "phidl_route"].contains(&krate(entry));
+/// The devices that a filter accepts, by name. `begin` hears the name of each before it is drawn.
+///
+/// # Errors
+/// [`CliError::Draw`] if an example is refused, [`CliError::Write`] if its figure cannot be drawn.
+pub fn all(is_wanted: impl Fn(&GeneratorInfo) -> bool, mut begin: impl FnMut(String)) -> Result<Vec<Plate>, CliError> {
     registry::all()
-        .filter(ours)
+        .filter(|entry| is_wanted(entry))
         .map(|entry| {
-            begin(entry.name);
+            begin(format!("drawing {}", entry.name));
             plate(entry)
         })
         .collect()
 }
 
-fn plate(entry: &'static GeneratorInfo) -> anyhow::Result<Plate> {
-    let params = entry.example().map_err(crate::report)?;
-    let device = entry.build(&params.by_name()).map_err(crate::report)?;
+fn plate(entry: &'static GeneratorInfo) -> Result<Plate, CliError> {
+    let params = entry.example()?;
+    let device = entry.build(&params.by_name())?;
     let mut options = figure_options(&device)?;
     if SHOW_SOURCES.iter().any(|family| entry.module.starts_with(family)) {
         params.iter().for_each(|(_, value)| devices_in(value, &mut options.sources));
     }
-    let figure = svg::figure(&device, &options).map_err(|error| anyhow::anyhow!(error.report()))?;
+    let figure = svg::figure(&device, &options)?;
     let file = entry.picture.map(|file| PathBuf::from(krate(entry).replace('_', "-")).join(file));
     Ok(Plate {
         name: entry.name,
@@ -61,11 +68,13 @@ fn plate(entry: &'static GeneratorInfo) -> anyhow::Result<Plate> {
     })
 }
 
-fn krate(entry: &GeneratorInfo) -> &'static str {
+/// The crate of a generator, as Rust spells it.
+#[must_use]
+pub fn krate(entry: &GeneratorInfo) -> &'static str {
     entry.module.split("::").next().unwrap_or(entry.module)
 }
 
-/// The parameters that are not at their defaults, as `cargo xtask device --params` takes them.
+/// The parameters that are not at their defaults, as `device --params` takes them.
 fn json(entry: &GeneratorInfo, params: &[(&str, Value)]) -> String {
     let defaults = entry.params().into_iter().map(|param| param.default);
     let given = params.iter().zip(defaults).filter(|((_, value), default)| Some(value) != default.as_ref());
@@ -81,29 +90,5 @@ fn devices_in(value: &Value, found: &mut Vec<Device>) {
         Value::List(list) => list.iter().for_each(|inner| devices_in(inner, found)),
         Value::Map(map) => map.values().for_each(|inner| devices_in(inner, found)),
         _ => {}
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use std::collections::BTreeSet;
-
-    use phidl_io::gds::{self, GdsOptions, ReadOptions};
-
-    use super::*;
-
-    /// What a generator draws and labels must be what a file can say: a sweep labels its cells in several lines.
-    #[test]
-    fn every_plate_can_be_written_to_a_file_and_read_back() {
-        for plate in all(|_| {}).unwrap() {
-            let bytes = gds::to_bytes(&plate.device, &GdsOptions::default());
-            let bytes = bytes.unwrap_or_else(|error| panic!("{}: {}", plate.name, error.report()));
-            let back = gds::read_bytes(&bytes, &ReadOptions::default()).unwrap();
-            assert_eq!(back.problems, [], "{}", plate.name);
-            let texts = |device: &Device| -> BTreeSet<String> {
-                device.cells().iter().flat_map(|cell| cell.labels().iter().map(|label| label.text.clone())).collect()
-            };
-            assert_eq!(texts(&back.device), texts(&plate.device), "{}", plate.name);
-        }
     }
 }
