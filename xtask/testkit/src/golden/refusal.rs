@@ -28,19 +28,12 @@ pub fn assert_refused<T>(case: &Case, expected: Refusal, drawn: &Result<T>) -> R
 
 /// The class of our refusal of a case.
 fn class_of(case: &Case, error: &Error) -> Refusal {
-    match innermost(error) {
+    match error.root() {
         Error::Param(param) if param.param.contains("layer") => Refusal::Layer,
         Error::Param(param) if is_word(case, &param.param) => Refusal::Choice,
         Error::Param(_) if is_out_of_bounds(case) => Refusal::Bound,
         Error::Unknown { .. } => Refusal::Choice,
         _ => Refusal::Geometry,
-    }
-}
-
-fn innermost(error: &Error) -> &Error {
-    match error {
-        Error::Context { source, .. } => innermost(source),
-        other => other,
     }
 }
 
