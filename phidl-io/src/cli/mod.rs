@@ -19,7 +19,7 @@
 //!
 //! A program with further commands takes [`Command`] into its own clap parser and calls [`run`]. What the commands do
 //! is in [`devices`], [`device`] and [`gallery`], for programs with another front.
-#![expect(clippy::print_stdout, clippy::print_stderr, reason = "commands print for the person who runs them")]
+#![expect(clippy::print_stderr, reason = "commands print for the person who runs them")]
 
 pub mod device;
 pub mod devices;
