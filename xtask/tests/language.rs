@@ -47,7 +47,7 @@ fn files(path: PathBuf) -> Vec<PathBuf> {
 }
 
 /// The prose of a line: all of a Markdown file, the comments of Rust; code in backticks is none.
-fn prose<'a>(line: &'a str, is_markdown: bool) -> impl Iterator<Item = &'a str> {
+fn prose(line: &str, is_markdown: bool) -> impl Iterator<Item = &str> {
     let text = match line.find("//") {
         _ if is_markdown => line,
         Some(start) => &line[start..],
