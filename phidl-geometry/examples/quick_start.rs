@@ -1,4 +1,4 @@
-//! PHIDL's first tutorial, line for line: polygons, library shapes, ports, references, a file.
+//! A first chip: polygons, library shapes, ports, references, a file.
 //!
 //! `cargo run -p phidl-geometry --example quick_start`
 #![expect(clippy::print_stdout, reason = "an example shows what it draws")]
@@ -20,12 +20,12 @@ pub(crate) fn main() -> std::result::Result<(), Box<dyn std::error::Error>> {
     let wg3 = d.add(pg::taper(10, 1.5, 3, 3)?);
     d.add(pg::circle(6, 2.5, 4)?.place().moved_by((20, 0)));
 
-    // Moving and turning; words chain.
+    // Placement methods chain.
     d[wg1].rotate(45).movex(1);
     d[wg2].move_by((1, 5)).rotate(-90);
     d.select(poly1).set_ymax(0);
 
-    // Ports meet like building blocks.
+    // Ports connect cells.
     let target = d[wg1].port("1")?;
     d[wg2].connect("2", &target)?;
     let target = d[wg2].port("1")?;

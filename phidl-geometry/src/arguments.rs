@@ -1,4 +1,4 @@
-//! Spellings of parameters that several generators share: [`PerAxis`], [`OpenSize`], [`Each`],
+//! Spellings of parameters that several generators share: [`PerAxis`], [`PartialSize`], [`OneOrMany`],
 //! [`LayerList`].
 //!
 //! They are types of their own, since what `#[device]` sees is a type, and "a number or a pair" is none that Rust has.
@@ -70,42 +70,42 @@ impl Param for PerAxis {
 /// for both.
 ///
 /// ```
-/// # use phidl_geometry::arguments::OpenSize;
-/// assert_eq!(OpenSize::from((10, None)), OpenSize { width: Some(10.0), height: None });
-/// assert_eq!(OpenSize::from(None), OpenSize::OPEN);
+/// # use phidl_geometry::arguments::PartialSize;
+/// assert_eq!(PartialSize::from((10, None)), PartialSize { width: Some(10.0), height: None });
+/// assert_eq!(PartialSize::from(None), PartialSize::NONE);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct OpenSize {
+pub struct PartialSize {
     /// Extent along x (µm).
     pub width: Option<f64>,
     /// Extent along y (µm).
     pub height: Option<f64>,
 }
 
-impl OpenSize {
+impl PartialSize {
     /// Neither is given.
-    pub const OPEN: Self = Self { width: None, height: None };
+    pub const NONE: Self = Self { width: None, height: None };
 }
 
-impl<W: IntoOption<f64>, H: IntoOption<f64>> From<(W, H)> for OpenSize {
+impl<W: IntoOption<f64>, H: IntoOption<f64>> From<(W, H)> for PartialSize {
     fn from((width, height): (W, H)) -> Self {
         Self { width: width.into_option(), height: height.into_option() }
     }
 }
 
-impl From<Option<Size>> for OpenSize {
+impl From<Option<Size>> for PartialSize {
     fn from(size: Option<Size>) -> Self {
-        size.map_or(Self::OPEN, Self::from)
+        size.map_or(Self::NONE, Self::from)
     }
 }
 
-impl From<Size> for OpenSize {
+impl From<Size> for PartialSize {
     fn from(size: Size) -> Self {
         Self { width: Some(size.width), height: Some(size.height) }
     }
 }
 
-impl Param for OpenSize {
+impl Param for PartialSize {
     fn param_type() -> ParamType {
         ParamType::Other("width and height, each a number or none")
     }
@@ -116,7 +116,7 @@ impl Param for OpenSize {
 
     fn from_value(value: &Value) -> Result<Self, ConversionError> {
         match Option::<Vec<Option<f64>>>::from_value(value)?.as_deref() {
-            None => Ok(Self::OPEN),
+            None => Ok(Self::NONE),
             Some([width, height]) => Ok(Self { width: *width, height: *height }),
             Some(_) => Err(ConversionError::new(value, "be a width and a height, null for an open one")),
         }
@@ -126,20 +126,20 @@ impl Param for OpenSize {
 /// A list of which one item may be given bare.
 ///
 /// ```
-/// # use phidl_geometry::arguments::Each;
-/// assert_eq!(Each::<f64>::from(0.5), Each(vec![0.5]));
-/// assert_eq!(Each::<f64>::from([1, 2]), Each(vec![1.0, 2.0]));
+/// # use phidl_geometry::arguments::OneOrMany;
+/// assert_eq!(OneOrMany::<f64>::from(0.5), OneOrMany(vec![0.5]));
+/// assert_eq!(OneOrMany::<f64>::from([1, 2]), OneOrMany(vec![1.0, 2.0]));
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Each<T>(pub Vec<T>);
+pub struct OneOrMany<T>(pub Vec<T>);
 
-impl<T, U: Into<T>, const N: usize> From<[U; N]> for Each<T> {
+impl<T, U: Into<T>, const N: usize> From<[U; N]> for OneOrMany<T> {
     fn from(items: [U; N]) -> Self {
         Self(items.into_iter().map(Into::into).collect())
     }
 }
 
-impl<T, U: Into<T>> From<Vec<U>> for Each<T> {
+impl<T, U: Into<T>> From<Vec<U>> for OneOrMany<T> {
     fn from(items: Vec<U>) -> Self {
         Self(items.into_iter().map(Into::into).collect())
     }
@@ -147,7 +147,7 @@ impl<T, U: Into<T>> From<Vec<U>> for Each<T> {
 
 macro_rules! one {
     ($($item:ty: $($from:ty),+;)*) => {$($(
-        impl From<$from> for Each<$item> {
+        impl From<$from> for OneOrMany<$item> {
             fn from(item: $from) -> Self {
                 Self(vec![item.into()])
             }
@@ -161,7 +161,7 @@ one! {
     Layer: Layer, u16, (u16, u16);
 }
 
-impl<T: Param> Param for Each<T> {
+impl<T: Param> Param for OneOrMany<T> {
     fn param_type() -> ParamType {
         ParamType::List(Box::new(T::param_type()))
     }
@@ -230,12 +230,12 @@ mod tests {
 
     #[test]
     fn a_size_may_be_open_in_every_direction_and_spelling() {
-        for size in [OpenSize::from((10, None)), (1, 2).into(), OpenSize::OPEN] {
-            assert_eq!(OpenSize::from_value(&size.to_value()).unwrap(), size);
+        for size in [PartialSize::from((10, None)), (1, 2).into(), PartialSize::NONE] {
+            assert_eq!(PartialSize::from_value(&size.to_value()).unwrap(), size);
         }
-        assert_eq!(OpenSize::from_value(&Value::Null).unwrap(), OpenSize::OPEN);
-        assert_eq!((OpenSize::from(None), OpenSize::from((None, None))), (OpenSize::OPEN, OpenSize::OPEN));
-        assert!(OpenSize::from_value(&vec![1.0].into()).is_err());
+        assert_eq!(PartialSize::from_value(&Value::Null).unwrap(), PartialSize::NONE);
+        assert_eq!((PartialSize::from(None), PartialSize::from((None, None))), (PartialSize::NONE, PartialSize::NONE));
+        assert!(PartialSize::from_value(&vec![1.0].into()).is_err());
     }
 
     #[test]
@@ -252,9 +252,9 @@ mod tests {
 
     #[test]
     fn one_bare_item_is_a_list_and_null_an_empty_one() {
-        assert_eq!(Each::<f64>::from_value(&Value::from(0.25)).unwrap(), Each(vec![0.25]));
-        assert_eq!(Each::<bool>::from_value(&Value::Null).unwrap(), Each(Vec::new()));
-        assert_eq!(Each::<Layer>::from_value(&Value::from([8, 2])).unwrap().0.len(), 2);
-        assert_eq!(Each::<bool>::from(true), Each(vec![true]));
+        assert_eq!(OneOrMany::<f64>::from_value(&Value::from(0.25)).unwrap(), OneOrMany(vec![0.25]));
+        assert_eq!(OneOrMany::<bool>::from_value(&Value::Null).unwrap(), OneOrMany(Vec::new()));
+        assert_eq!(OneOrMany::<Layer>::from_value(&Value::from([8, 2])).unwrap().0.len(), 2);
+        assert_eq!(OneOrMany::<bool>::from(true), OneOrMany(vec![true]));
     }
 }

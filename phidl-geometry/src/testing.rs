@@ -1,4 +1,4 @@
-//! What unit tests of several shapes ask.
+//! Helpers of unit tests.
 
 use phidl_core::geom::signed_area;
 use phidl_core::prelude::*;

@@ -1,16 +1,18 @@
 //! [`grid`]: cells in rows and columns.
 
-use phidl_core::num::count;
 use phidl_core::param::{ConversionError, IntoOption, Param, ParamType};
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
-use super::lattice::{Follow, Lattice};
-use super::{DeviceList, EdgeX, EdgeY};
+use super::cell_grid::{CellGrid, LineSpacing};
+use super::{EdgeX, EdgeY, GridCells};
 use crate::arguments::PerAxis;
 use crate::basic::{circle, cross, rectangle};
 
-/// How many columns and rows a grid has: columns first. −1 is as many as are needed.
+/// Largest number of positions of a grid.
+const MOST_POSITIONS: usize = 1_000_000;
+
+/// Number of columns and rows of a grid, columns first. −1 stands for the smallest sufficient number.
 ///
 /// ```
 /// # use phidl_geometry::arrange::GridShape;
@@ -59,7 +61,7 @@ impl Param for GridShape {
     }
 }
 
-/// Places cells in rows and columns, lined up and spaced out by their bounding boxes.
+/// Places cells in rows and columns, aligned and spaced by their bounding boxes.
 ///
 /// ```text
 ///   ┌──┐  ┌────┐   row by row from the top left
@@ -69,15 +71,16 @@ impl Param for GridShape {
 ///      ↔ spacing.x
 /// ```
 ///
-/// One reference for each place of the grid, row by row from the top left. Each row is lined up by `align_y`, each
-/// column by `align_x`; then the columns are spaced out to the right and the rows upwards. A place without a cell, or
-/// with one that draws nothing, takes no room.
+/// One reference for each grid position, row by row from the top left. Each row is aligned by `align_y`, each column by
+/// `align_x`; then the columns are spaced to the right and the rows upwards. A position without a cell, or with an empty
+/// cell, takes no room.
 ///
 /// # Ports
 /// None.
 ///
 /// # Errors
-/// An empty list; rows of different lengths; a `shape` with fewer places than cells.
+/// An empty list; rows of different lengths; a `shape` with fewer positions than cells; more than a million
+/// positions.
 ///
 /// # Examples
 /// ```
@@ -90,11 +93,11 @@ impl Param for GridShape {
 /// ```
 ///
 /// # Source
-/// Own design, compatible with PHIDL's `grid`, except that free places take no part (see [`arrange`](super)).
+/// Own design, compatible with PHIDL's `grid`, except that empty positions have no box (see [`arrange`](super)).
 #[device(picture = "docs/grid.svg", example = GridParams::new([rectangle((9, 4), 0)?, circle(4, 2.5, 1)?, cross(9, 2, 2)?, circle(2, 2.5, 3)?]).shape((2, 2)))]
 pub fn grid(
     /// The cells: a list, or rows with the top one first.
-    device_list: DeviceList,
+    device_list: GridCells,
     /// Between columns and between rows: the gap, or without `separation` the pitch.
     #[default((5, 10))]
     #[param(unit = "um")]
@@ -118,53 +121,55 @@ pub fn grid(
     #[default(EdgeY::YMax)]
     edge_y: EdgeY,
 ) -> Result<Device> {
-    let (columns, rows) = places(check, &device_list, shape)?;
-    let mut lattice = Lattice::new(device_list, columns, rows)?;
-    lattice.align(align_y.into(), align_x.into());
+    let (columns, rows) = dimensions(check, &device_list, shape)?;
+    let mut cells = CellGrid::new(device_list, columns, rows)?;
+    cells.align(align_y.into(), align_x.into());
     match separation {
-        true => lattice.distribute(Follow::Gap(spacing.x), Follow::Gap(spacing.y)),
+        true => cells.distribute(LineSpacing::Gap(spacing.x), LineSpacing::Gap(spacing.y)),
         false => {
-            lattice.distribute(Follow::Pitch(edge_x.into(), spacing.x), Follow::Pitch(edge_y.into(), spacing.y));
+            cells
+                .distribute(LineSpacing::Pitch(edge_x.into(), spacing.x), LineSpacing::Pitch(edge_y.into(), spacing.y));
         }
     }
     let mut d = Device::builder("grid");
-    for reference in lattice.into_references() {
+    for reference in cells.into_references() {
         d.add(reference);
     }
     d.build()
 }
 
-/// Columns and rows of a grid of a list, after everything that can be wrong with them.
-fn places(check: Check<'_>, list: &DeviceList, shape: Option<GridShape>) -> Result<(usize, usize)> {
+/// The checked numbers of columns and rows of a grid.
+fn dimensions(check: Check<'_>, list: &GridCells, shape: Option<GridShape>) -> Result<(usize, usize)> {
     let (columns, rows) = extent(check, list)?;
     let cells = columns * rows;
     check.that("device_list", "empty", cells > 0, "hold at least one cell")?;
+    check.at_most("number of cells in device_list", cells, MOST_POSITIONS)?;
     let Some(shape) = shape else { return Ok((columns, rows)) };
     let shown = format!("({}, {})", shape.columns, shape.rows);
-    let number = |n: i64| usize::try_from(n).ok().filter(|n| (1..=count::MOST).contains(n));
-    let places = match (number(shape.columns), number(shape.rows)) {
+    let number = |n: i64| usize::try_from(n).ok().filter(|n| (1..=MOST_POSITIONS).contains(n));
+    let dimensions = match (number(shape.columns), number(shape.rows)) {
         (Some(columns), Some(rows)) => Some((columns, rows)),
         (Some(columns), None) if shape.rows == -1 => Some((columns, cells.div_ceil(columns))),
         (None, Some(rows)) if shape.columns == -1 => Some((cells.div_ceil(rows), rows)),
         _ => None,
     };
     let rule = "be two numbers from 1 on, one of which may be -1 for as many as are needed";
-    check.that("shape", &shown, places.is_some(), rule)?;
-    let (columns, rows) = places.unwrap_or_default();
-    let enough = (cells..=count::MOST).contains(&columns.saturating_mul(rows));
-    check.that("shape", shown, enough, &format!("have places for {cells} cells, and at most {}", count::MOST))?;
+    check.that("shape", &shown, dimensions.is_some(), rule)?;
+    let (columns, rows) = dimensions.unwrap_or_default();
+    let enough = (cells..=MOST_POSITIONS).contains(&columns.saturating_mul(rows));
+    check.that("shape", shown, enough, &format!("have from {cells} to {MOST_POSITIONS} positions"))?;
     Ok((columns, rows))
 }
 
 /// Columns and rows of a list as it is.
-fn extent(check: Check<'_>, list: &DeviceList) -> Result<(usize, usize)> {
+fn extent(check: Check<'_>, list: &GridCells) -> Result<(usize, usize)> {
     match list {
-        DeviceList::Flat(slots) => Ok((slots.len(), 1)),
-        DeviceList::Rows(rows) => {
+        GridCells::Flat(slots) => Ok((slots.len(), 1)),
+        GridCells::Rows(rows) => {
             let columns = rows.first().map_or(0, Vec::len);
-            if let Some((place, row)) = rows.iter().enumerate().find(|(_, row)| row.len() != columns) {
-                let rule = format!("be {columns} cells long, as row 0 is");
-                check.that(&format!("device_list[{place}]"), row.len(), false, &rule)?;
+            if let Some((index, row)) = rows.iter().enumerate().find(|(_, row)| row.len() != columns) {
+                let rule = format!("be {columns}, as in device_list[0]");
+                check.that(&format!("number of cells in device_list[{index}]"), row.len(), false, &rule)?;
             }
             Ok((columns, rows.len()))
         }

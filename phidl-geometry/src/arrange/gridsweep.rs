@@ -2,13 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use phidl_core::num::count;
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
 use super::grid::{GridParams, GridShape};
-use super::sweep::Combination;
-use super::{DeviceList, EdgeX, EdgeY, Sweep};
+use super::sweep::{Combination, MOST_CELLS};
+use super::{EdgeX, EdgeY, GridCells, Sweep};
 use crate::arguments::PerAxis;
 use crate::basic::CircleParams;
 
@@ -35,7 +34,8 @@ use crate::basic::CircleParams;
 /// None.
 ///
 /// # Errors
-/// A parameter that the generator does not have or take, one that is swept in both directions, a sweep without values.
+/// A parameter that the generator does not have or take, one that is swept in both directions, a sweep without
+/// values, more than 100,000 cells.
 ///
 /// # Examples
 /// ```
@@ -96,15 +96,16 @@ pub fn gridsweep(
 ) -> Result<Device> {
     let (columns, rows) = (param_x.combinations(check, "param_x")?, param_y.combinations(check, "param_y")?);
     let both = param_x.names().find(|name| param_y.names().any(|other| other == *name));
-    check.that("param_x", format!("{both:?}"), both.is_none(), "sweep other parameters than param_y")?;
-    check.at_most("number of cells", columns.len().saturating_mul(rows.len()), count::MOST)?;
+    let swept = format!("a sweep of {:?}", both.unwrap_or_default());
+    check.that("param_x", swept, both.is_none(), "not sweep a parameter of param_y")?;
+    check.at_most("number of cells", columns.len().saturating_mul(rows.len()), MOST_CELLS)?;
 
-    let sweep = Plan { function: &function, defaults: &param_defaults, fixed: &param_override };
+    let sweep = SweepPlan { function: &function, defaults: &param_defaults, fixed: &param_override };
     let combinations = rows.iter().flat_map(|y| columns.iter().map(move |x| [y.as_slice(), x.as_slice()].concat()));
     let combinations: Vec<Combination> = combinations.collect();
     let cells = sweep.draw(&combinations)?;
     let shape = GridShape { columns: as_i64(columns.len()), rows: as_i64(rows.len()) };
-    let list: DeviceList = cells.into_iter().collect();
+    let list: GridCells = cells.into_iter().collect();
     let grid =
         GridParams { spacing, separation, align_x, align_y, edge_x, edge_y, ..GridParams::new(list).shape(shape) };
     let grid = grid.build()?;
@@ -117,13 +118,13 @@ pub fn gridsweep(
 }
 
 /// A generator and the parameters that do not change.
-struct Plan<'a> {
+struct SweepPlan<'a> {
     function: &'a Partial,
     defaults: &'a BTreeMap<String, Value>,
     fixed: &'a BTreeMap<String, Value>,
 }
 
-impl Plan<'_> {
+impl SweepPlan<'_> {
     /// All cells; nothing is drawn before the parameters of all were checked.
     fn draw(&self, combinations: &[Combination]) -> Result<Vec<Device>> {
         let common = self.function.with(self.defaults.clone())?;
@@ -151,7 +152,7 @@ impl Plan<'_> {
     }
 }
 
-fn add_labels(d: &mut DeviceBuilder, sweep: &Plan<'_>, combinations: &[Combination], layer: Layer) -> Result<()> {
+fn add_labels(d: &mut DeviceBuilder, sweep: &SweepPlan<'_>, combinations: &[Combination], layer: Layer) -> Result<()> {
     let centers: Vec<Option<Point>> = d.references().map(|cell| cell.bbox().map(|bbox| bbox.center())).collect();
     for (center, swept) in centers.into_iter().zip(combinations) {
         if let (Some(center), false) = (center, swept.is_empty()) {

@@ -10,14 +10,14 @@
 
 /// A box or a free rectangle, in steps of the packing grid.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Room {
+pub(super) struct PackedRect {
     pub(super) x: f64,
     pub(super) y: f64,
     pub(super) width: f64,
     pub(super) height: f64,
 }
 
-impl Room {
+impl PackedRect {
     fn right(&self) -> f64 {
         self.x + self.width
     }
@@ -52,7 +52,7 @@ impl Rule {
     pub(super) const ALL: [Self; 4] = [Self::LongSide, Self::ShortSide, Self::Area, Self::BottomLeft];
 
     /// How badly a box of this size fits; pairs compare by their first number, then by their second.
-    fn cost(self, free: &Room, (width, height): (f64, f64)) -> (f64, f64) {
+    fn cost(self, free: &PackedRect, (width, height): (f64, f64)) -> (f64, f64) {
         let (x, y) = (free.width - width, free.height - height);
         match self {
             Self::LongSide => (x.max(y), 0.0),
@@ -64,14 +64,14 @@ impl Rule {
 }
 
 /// Places boxes of these sizes, in this order, into a bin; one that does not fit any more is left out (`None`).
-pub(super) fn pack(bin: (f64, f64), sizes: &[(f64, f64)], rule: Rule) -> Vec<Option<Room>> {
-    let mut free = vec![Room { x: 0.0, y: 0.0, width: bin.0, height: bin.1 }];
+pub(super) fn pack(bin: (f64, f64), sizes: &[(f64, f64)], rule: Rule) -> Vec<Option<PackedRect>> {
+    let mut free = vec![PackedRect { x: 0.0, y: 0.0, width: bin.0, height: bin.1 }];
     sizes.iter().map(|size| place(&mut free, *size, rule)).collect()
 }
 
-fn place(free: &mut Vec<Room>, size: (f64, f64), rule: Rule) -> Option<Room> {
+fn place(free: &mut Vec<PackedRect>, size: (f64, f64), rule: Rule) -> Option<PackedRect> {
     let (width, height) = size;
-    let mut best: Option<((f64, f64), Room)> = None;
+    let mut best: Option<((f64, f64), PackedRect)> = None;
     for room in free.iter().filter(|room| room.width >= width && room.height >= height) {
         let cost = rule.cost(room, size);
         if best.is_none_or(|(least, _)| cost < least) {
@@ -79,14 +79,14 @@ fn place(free: &mut Vec<Room>, size: (f64, f64), rule: Rule) -> Option<Room> {
         }
     }
     let (_, corner) = best?;
-    let placed = Room { width, height, ..corner };
+    let placed = PackedRect { width, height, ..corner };
     *free = rest_of(free, &placed);
     Some(placed)
 }
 
 /// The free rectangles beside a box, without those that lie in another one.
-fn rest_of(free: &[Room], placed: &Room) -> Vec<Room> {
-    let mut rest: Vec<Room> = Vec::with_capacity(free.len() + 4);
+fn rest_of(free: &[PackedRect], placed: &PackedRect) -> Vec<PackedRect> {
+    let mut rest: Vec<PackedRect> = Vec::with_capacity(free.len() + 4);
     let mut cut: Vec<bool> = Vec::with_capacity(free.len() + 4);
     for room in free {
         if room.overlaps(placed) {
@@ -97,7 +97,7 @@ fn rest_of(free: &[Room], placed: &Room) -> Vec<Room> {
             cut.push(false);
         }
     }
-    // Whole ones were maximal before and still are; of two equal pieces the first one stays.
+    // Whole ones were maximal before and still are; of two equal rectangles the first one stays.
     let lies_in = |i: usize, j: usize| i != j && rest[j].contains(&rest[i]) && (rest[i] != rest[j] || j < i);
     let keep: Vec<bool> = (0..rest.len()).map(|i| !cut[i] || !(0..rest.len()).any(|j| lies_in(i, j))).collect();
     let mut keep = keep.into_iter();
@@ -105,15 +105,15 @@ fn rest_of(free: &[Room], placed: &Room) -> Vec<Room> {
     rest
 }
 
-/// What is left of a free rectangle to the left and right of a box, above and below it, each as large as can be.
-fn beside(room: &Room, placed: &Room) -> impl Iterator<Item = Room> {
-    let pieces = [
-        Room { width: placed.x - room.x, ..*room },
-        Room { x: placed.right(), width: room.right() - placed.right(), ..*room },
-        Room { y: placed.top(), height: room.top() - placed.top(), ..*room },
-        Room { height: placed.y - room.y, ..*room },
+/// The maximal remainders of a free rectangle on the four sides of a box.
+fn beside(room: &PackedRect, placed: &PackedRect) -> impl Iterator<Item = PackedRect> {
+    let remainders = [
+        PackedRect { width: placed.x - room.x, ..*room },
+        PackedRect { x: placed.right(), width: room.right() - placed.right(), ..*room },
+        PackedRect { y: placed.top(), height: room.top() - placed.top(), ..*room },
+        PackedRect { height: placed.y - room.y, ..*room },
     ];
-    pieces.into_iter().filter(|piece| piece.width > 0.0 && piece.height > 0.0)
+    remainders.into_iter().filter(|rest| rest.width > 0.0 && rest.height > 0.0)
 }
 
 #[cfg(test)]
@@ -131,8 +131,8 @@ mod tests {
 
     #[test]
     fn free_room_is_what_no_box_covers() {
-        let bin = Room { x: 0.0, y: 0.0, width: 10.0, height: 10.0 };
-        let placed = Room { x: 4.0, y: 4.0, width: 2.0, height: 2.0 };
+        let bin = PackedRect { x: 0.0, y: 0.0, width: 10.0, height: 10.0 };
+        let placed = PackedRect { x: 4.0, y: 4.0, width: 2.0, height: 2.0 };
         let rest = rest_of(&[bin], &placed);
         assert_eq!(rest.len(), 4);
         assert!(rest.iter().all(|room| !room.overlaps(&placed) && room.width * room.height == 40.0));
@@ -140,9 +140,9 @@ mod tests {
 
     #[test]
     fn of_two_equal_free_rooms_one_stays() {
-        let a = Room { x: 0.0, y: 0.0, width: 10.0, height: 6.0 };
-        let b = Room { x: 0.0, y: 2.0, width: 10.0, height: 4.0 };
-        let placed = Room { x: 0.0, y: 0.0, width: 10.0, height: 3.0 };
-        assert_eq!(rest_of(&[a, b], &placed), [Room { x: 0.0, y: 3.0, width: 10.0, height: 3.0 }]);
+        let a = PackedRect { x: 0.0, y: 0.0, width: 10.0, height: 6.0 };
+        let b = PackedRect { x: 0.0, y: 2.0, width: 10.0, height: 4.0 };
+        let placed = PackedRect { x: 0.0, y: 0.0, width: 10.0, height: 3.0 };
+        assert_eq!(rest_of(&[a, b], &placed), [PackedRect { x: 0.0, y: 3.0, width: 10.0, height: 3.0 }]);
     }
 }

@@ -1,20 +1,21 @@
 //! [`packer`]: cells into as few and as small bins as they fit.
 //!
-//! Several cells come out, one for each bin, and a generator has one: the list is [`PackerParams::bins`], and the
+//! Packing gives one cell for each bin; a generator returns one cell. [`PackerParams::bins`] returns the list, and the
 //! registered generator places the bins in a row.
 //!
-//! A bin starts with the area of its boxes and grows until they fit. At each size several placement rules are tried, the
-//! reference's among them; growing ends when that one fits, and the smallest result of all is taken. So a bin is never
-//! larger than the reference's for the same boxes. (Boxes are rounded up to the packing grid here. Rounding them down, as
-//! the reference does, saves less than a thousandth of the area and brings neighbors closer than they may be.)
+//! A bin starts with the area of its boxes and grows until they fit. At each size several placement rules are tried, PHIDL's
+//! among them; growing ends when PHIDL's rule fits, and the smallest result is taken. So a bin is never larger than PHIDL's
+//! for the same boxes. Boxes are rounded up to the packing grid: rounding down, as PHIDL does, can violate `spacing`.
 
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
-use super::maxrects::{Room, Rule, pack};
-use crate::arguments::OpenSize;
+use super::maxrects::{PackedRect, Rule, pack};
+use crate::arguments::PartialSize;
 use crate::basic::rectangle;
 
+/// Largest number of cells: the time of packing grows with the square of their number.
+const MOST_CELLS: usize = 10_000;
 /// Floating point noise in a size, in steps of the packing grid: less than this is not rounded up to a whole step.
 const NOISE: f64 = 1e-6;
 
@@ -39,7 +40,7 @@ const NOISE: f64 = 1e-6;
 /// `bins`: how many there are. In each bin `density`: the area of the packed boxes over that of the box around them.
 ///
 /// # Errors
-/// A cell that draws nothing, or that does not fit into `max_size` with half of `spacing` around it.
+/// A cell that draws nothing, or that does not fit into `max_size` with half of `spacing` around it. More than 10,000 cells.
 ///
 /// # Numerics
 /// Positions are multiples of `precision`; boxes with their spacing are rounded up to it, so there is up to `precision`
@@ -73,9 +74,9 @@ pub fn packer(
     #[param(above = 0)]
     aspect_ratio: Size,
     /// Largest width and height of a bin, with half of `spacing` around every cell; none is without limit.
-    #[default(OpenSize::OPEN)]
+    #[default(PartialSize::NONE)]
     #[param(unit = "um", above = 0)]
-    max_size: OpenSize,
+    max_size: PartialSize,
     /// Whether large boxes are packed before small ones; otherwise in the order of the list.
     #[default(true)]
     sort_by_area: bool,
@@ -104,7 +105,7 @@ pub fn packer(
 /// A cell to be packed.
 #[derive(Clone, Copy)]
 struct Item {
-    /// Its place in the list.
+    /// Its index in the list.
     number: usize,
     /// Width and height of its box with spacing, in steps of the packing grid.
     size: (f64, f64),
@@ -114,7 +115,7 @@ impl PackerParams {
     /// The bins, each a cell of its own: the list that PHIDL's `packer` returns. No cells give no bins.
     ///
     /// # Errors
-    /// As for [`packer`]. Unlike that, it packs anew at every call.
+    /// As for [`packer`]. The result is not cached.
     pub fn bins(&self) -> Result<Vec<Device>> {
         self.check()?;
         let mut left = self.items()?;
@@ -133,6 +134,7 @@ impl PackerParams {
 
     fn check(&self) -> Result<()> {
         let check = Self::entry().check();
+        check.at_most("number of cells in D_list", self.devices.len(), MOST_CELLS)?;
         check.at_least("spacing", self.spacing, 0)?;
         check.greater("aspect_ratio.width", self.aspect_ratio.width, 0)?;
         check.greater("aspect_ratio.height", self.aspect_ratio.height, 0)?;
@@ -178,7 +180,7 @@ impl PackerParams {
     }
 
     /// Where the items are in one bin; none for those that do not fit into the largest one.
-    fn fill_bin(&self, items: &[Item]) -> Vec<Option<Room>> {
+    fn fill_bin(&self, items: &[Item]) -> Vec<Option<PackedRect>> {
         let sizes: Vec<(f64, f64)> = items.iter().map(|item| item.size).collect();
         let most = self.most();
         let area: f64 = sizes.iter().map(|(width, height)| width * height).sum();
@@ -186,7 +188,7 @@ impl PackerParams {
         let Size { width, height } = self.aspect_ratio;
         let side = area.sqrt() / width.hypot(height);
         let mut bin = ((width * side).min(most.0), (height * side).min(most.1));
-        let mut best: Option<Vec<Option<Room>>> = None;
+        let mut best: Option<Vec<Option<PackedRect>>> = None;
         loop {
             // Less than the area or the largest box needs no trial.
             let possible = bin.0 * bin.1 >= area && bin.0 >= largest.0 && bin.1 >= largest.1;
@@ -205,7 +207,7 @@ impl PackerParams {
     }
 
     /// Area of the box around the packed cells, in square steps.
-    fn extent(&self, placed: &[Option<Room>]) -> f64 {
+    fn extent(&self, placed: &[Option<PackedRect>]) -> f64 {
         let spacing = self.spacing / self.precision;
         let corner = placed
             .iter()
@@ -214,7 +216,7 @@ impl PackerParams {
         (corner.0 - spacing) * (corner.1 - spacing)
     }
 
-    fn bin(&self, placed: impl Iterator<Item = (usize, Room)>) -> Result<Device> {
+    fn bin(&self, placed: impl Iterator<Item = (usize, PackedRect)>) -> Result<Device> {
         let mut d = Device::builder("packed");
         let mut area = 0.0;
         for (number, room) in placed {
@@ -230,13 +232,14 @@ impl PackerParams {
     }
 }
 
-fn is_complete(placed: &[Option<Room>]) -> bool {
+fn is_complete(placed: &[Option<PackedRect>]) -> bool {
     placed.iter().all(Option::is_some)
 }
 
-/// What the rule places that places the largest area in the bin; the first one on ties.
-fn fullest(bin: (f64, f64), sizes: &[(f64, f64)]) -> Vec<Option<Room>> {
-    let area = |placed: &[Option<Room>]| placed.iter().flatten().map(|room| room.width * room.height).sum::<f64>();
+/// The result of the rule that packs the largest area; the first one on ties.
+fn fullest(bin: (f64, f64), sizes: &[(f64, f64)]) -> Vec<Option<PackedRect>> {
+    let area =
+        |placed: &[Option<PackedRect>]| placed.iter().flatten().map(|room| room.width * room.height).sum::<f64>();
     let mut best = pack(bin, sizes, Rule::ALL[0]);
     for rule in &Rule::ALL[1..] {
         let placed = pack(bin, sizes, *rule);

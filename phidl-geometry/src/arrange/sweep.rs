@@ -1,11 +1,13 @@
 //! [`Sweep`]: the values that a parameter sweep takes along one direction.
 //!
 //! The order of its parameters decides the order of the cells, so it is a list of names with values. In JSON it may be
-//! written as an object; [`Value`] keeps those sorted by name, and whoever needs another order writes a list of pairs.
+//! written as an object, whose names are sorted; a list of pairs keeps another order.
 
-use phidl_core::num::count;
 use phidl_core::param::{ConversionError, Param, ParamType};
 use phidl_core::prelude::*;
+
+/// Largest number of cells of a sweep.
+pub(super) const MOST_CELLS: usize = 100_000;
 
 /// One set of swept values with their names, in the order of the sweep.
 pub(super) type Combination = Vec<(String, Value)>;
@@ -23,7 +25,7 @@ pub(super) type Combination = Vec<(String, Value)>;
 pub enum Sweep {
     /// Nothing: one cell.
     Once,
-    /// So many cells that are alike.
+    /// This number of equal cells.
     Copies(i64),
     /// Every combination of the values of these parameters; those of the last one change fastest.
     Over(Vec<(String, Vec<Value>)>),
@@ -64,19 +66,19 @@ impl Sweep {
         let parameters = match self {
             Self::Once => return Ok(vec![Vec::new()]),
             Self::Copies(copies) => {
-                check.between(param, *copies, 1, count::MOST)?;
+                check.between(param, *copies, 1, MOST_CELLS)?;
                 return Ok(vec![Vec::new(); usize::try_from(*copies).unwrap_or_default()]);
             }
             Self::Over(parameters) => parameters,
         };
         let mut combinations: Vec<Combination> = vec![Vec::new()];
-        for (place, (name, values)) in parameters.iter().enumerate() {
+        for (index, (name, values)) in parameters.iter().enumerate() {
             let site = format!("{param}[{name:?}]");
-            check.that(&site, "without values", !values.is_empty(), "have at least one")?;
-            let first = parameters[..place].iter().all(|(other, _)| other != name);
+            check.that(&site, "empty", !values.is_empty(), "have at least one value")?;
+            let first = parameters[..index].iter().all(|(other, _)| other != name);
             check.that(&site, "given twice", first, "be given once")?;
             let cells = combinations.len().saturating_mul(values.len());
-            check.at_most(&format!("number of cells of {param}"), cells, count::MOST)?;
+            check.at_most(&format!("number of cells of {param}"), cells, MOST_CELLS)?;
             combinations = extended(&combinations, name, values);
         }
         Ok(combinations)

@@ -5,7 +5,7 @@ use phidl_macros::device;
 
 use super::rectangle;
 
-/// Draws a cross of two equal bars around the origin: a mark to align to.
+/// Draws a cross of two equal bars around the origin: an alignment mark.
 ///
 /// The bars are two references to one [`rectangle`](fn@rectangle) and overlap in the middle.
 ///

@@ -1,13 +1,12 @@
-//! Unit vectors evenly around a turn: what circles, ellipses and rings are made of.
+//! Unit vectors at equal angles: the base of circles, ellipses and rings.
 
 use phidl_core::num::angle::directions;
 use phidl_core::prelude::*;
 
-/// The directions of the corners of a regular polygon, from the x axis counter-clockwise once around; the last is the
-/// first again.
+/// The directions of the corners of a regular polygon, counter-clockwise from the x axis; the last repeats the first.
 ///
-/// Where four chords make a quarter turn, only the first quarter is computed and turned, which is exact: such a circle is
-/// symmetric to the last bit, and costs a quarter.
+/// If the number of chords is a multiple of four, the first quarter is computed and turned exactly: such a circle is
+/// symmetric to the last bit and takes a quarter of the time.
 pub(super) fn around(chords: usize) -> Vec<Point> {
     let computed = if chords.is_multiple_of(4) { chords / 4 } else { chords };
     let mut directions = directions((0..computed).map(|i| 360.0 * i as f64 / chords as f64));

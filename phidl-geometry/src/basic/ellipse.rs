@@ -1,6 +1,6 @@
 //! Closed curves around the origin: [`circle`] and [`ellipse`].
 //!
-//! Both step evenly in the polar angle and repeat the first point at the end, as the specification counts points.
+//! Both have equal steps of the polar angle and repeat the first point at the end, as PHIDL does.
 
 use phidl_core::num::count;
 use phidl_core::prelude::*;

@@ -1,6 +1,6 @@
-//! Bent wires named after letters: [`l`] and [`c`].
+//! Wires with corners, named after letters: [`l`] and [`c`].
 //!
-//! Both repeat their first corner at the end, as the specification counts points.
+//! Both outlines repeat their first corner at the end, as PHIDL's do.
 
 use phidl_core::prelude::*;
 use phidl_macros::device;
@@ -54,7 +54,7 @@ pub fn l(
     check.greater("size.width", right, ("minus half the width", -h))?;
     check.greater("size.height", top, ("minus half the width", -h))?;
     // An arm may end inside the other one; where both do, nothing is left of the inner corner.
-    check.at_least("the greater of size.width and size.height", right.max(top), ("half the width", h))?;
+    check.unit("µm").at_least("the greater of size.width and size.height", right.max(top), ("half the width", h))?;
     let mut d = Device::builder("L");
     d.add_polygon([(-h, -h), (right, -h), (right, h), (h, h), (h, top), (-h, top), (-h, -h)], layer)?;
     d.add_port("1", ((0, top), width, 90))?;
@@ -112,7 +112,7 @@ pub fn c(
     let lower = [(-h, -h), (right, -h), (right, h), (h, h)];
     let upper = [(h, top - h), (right, top - h), (right, top + h), (-h, top + h), (-h, -h)];
     check.greater("size.width", right, ("minus half the width", -h))?;
-    check.at_least("size.height", top, ("width", width))?;
+    check.at_least("size.height", top, ("the width", width))?;
     let mut d = Device::builder("C");
     d.add_polygon([lower.as_slice(), upper.as_slice()].concat(), layer)?;
     d.add_port("1", ((right, top), width, 0))?;

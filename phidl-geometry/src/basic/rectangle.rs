@@ -1,6 +1,6 @@
 //! Rectangles: [`rectangle`], [`bbox`] and, with ports, [`straight`].
 //!
-//! All three keep the order of corners of the specification, in which `bbox` runs the other way round.
+//! All three keep PHIDL's order of corners: `bbox` is counter-clockwise, the others are clockwise.
 
 use phidl_core::param::{ConversionError, Param, ParamType};
 use phidl_core::prelude::*;

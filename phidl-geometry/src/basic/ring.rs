@@ -58,7 +58,7 @@ pub fn ring(
     #[default(0)]
     layer: Layers,
 ) -> Result<Device> {
-    check.at_most("width", width, ("2 radius", 2.0 * radius))?;
+    check.at_most("width", width, ("twice the radius", 2.0 * radius))?;
     let chords = count::per_turn_nearest(angle_resolution);
     check.at_most("number of points", 2.0 * chords as f64, count::MOST as f64 - 2.0)?;
 
@@ -142,7 +142,7 @@ pub(super) fn open_arc(
     layer: Layers,
 ) -> Result<DeviceBuilder> {
     let check = ArcParams::entry().check();
-    check.at_most("width", width, ("2 radius", 2.0 * radius))?;
+    check.at_most("width", width, ("twice the radius", 2.0 * radius))?;
     check.that("theta", format_args!("{theta}°"), theta != 0.0, "not be 0")?;
     let points = count::up(theta.abs() / angle_resolution).max(2);
     check.at_most("number of points", 2.0 * points as f64, count::MOST as f64 - 2.0)?;
@@ -191,7 +191,7 @@ mod tests {
     fn arcs_and_rings_without_an_inside_are_refused() {
         assert_eq!(
             ring(1, 3, 2.5, 0).unwrap_err().to_string(),
-            "ring: width is 3 µm, but it must be at most 2 radius, 2 µm"
+            "ring: width is 3 µm, but it must be at most twice the radius, 2 µm"
         );
         assert!(arc(1, 3, 45, 0, 2.5, 0).is_err());
         assert!(arc(10, 0.5, 0, 0, 2.5, 0).is_err());

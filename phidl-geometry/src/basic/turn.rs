@@ -5,7 +5,7 @@ use phidl_macros::device;
 
 use super::ring::open_arc;
 
-/// Draws an [`arc`](fn@crate::arc) that goes on from a port.
+/// Draws an [`arc`](fn@crate::arc) that continues a port.
 ///
 /// ```text
 ///          2
@@ -44,7 +44,7 @@ pub fn turn(
     #[default(10.0)]
     #[param(unit = "um", above = 0.0)]
     radius: f64,
-    /// How far it turns, to the left if positive.
+    /// Angle of the turn, to the left if positive.
     #[default(270.0)]
     #[param(unit = "deg", min = -360.0, max = 360.0)]
     angle: f64,
@@ -56,7 +56,7 @@ pub fn turn(
     #[default(0)]
     layer: Layers,
 ) -> Result<Device> {
-    // The center is to the left of whoever goes on from the port, or to the right.
+    // The center is to the left or right of the direction that the port faces.
     let side = 90.0 * angle.signum();
     let center = port.midpoint() + Point::polar(radius, port.orientation() + side);
     open_arc(center, radius, port.width(), angle, port.orientation() - side, angle_resolution, layer)?.build()

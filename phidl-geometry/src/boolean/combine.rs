@@ -3,7 +3,7 @@
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
-use super::{Divisions, Elements};
+use super::{DeviceList, Divisions};
 use crate::basic::{circle, rectangle};
 
 /// Runs a set operation on two operands: `and`, `or`, `not` (`A-B`), `B-A` or `xor`.
@@ -32,20 +32,20 @@ use crate::basic::{circle, rectangle};
 pub fn boolean(
     /// First operand.
     #[param(name = "A")]
-    a: Elements,
+    a: DeviceList,
     /// Second operand.
     #[param(name = "B")]
-    b: Elements,
-    /// What to do: `and`, `or` (`A+B`), `not` (`A-B`), `B-A`, `xor`.
+    b: DeviceList,
+    /// The operation: `and`, `or` (`A+B`), `not` (`A-B`), `B-A`, `xor`.
     operation: String,
     /// Grid step.
     #[default(1e-4)]
     #[param(unit = "um", above = 0.0)]
     precision: f64,
-    /// Parts that the plane is divided into; the result does not depend on it.
+    /// Number of parts of the plane in x and y. The result does not depend on it.
     #[default([1, 1])]
     num_divisions: Divisions,
-    /// The most points of a polygon; fewer than 5 mean no limit.
+    /// Largest number of points of a polygon; fewer than 5 mean no limit.
     #[default(4000)]
     max_points: usize,
     /// Where the result is drawn.
@@ -62,7 +62,7 @@ pub fn boolean(
 /// None.
 ///
 /// # Errors
-/// A coordinate that is off the grid, which reaches ±2⁴⁰ steps of `precision`, with the cell it is in.
+/// A coordinate beyond the grid of ±2⁴⁰ steps of `precision`.
 ///
 /// # Examples
 /// ```
@@ -77,10 +77,10 @@ pub fn boolean(
 /// Own engine, compatible with PHIDL's `union`.
 #[device(picture = "docs/union.svg", example = UnionParams::new([circle(10, 2.5, 0)?, rectangle((12, 12), 1)?]))]
 pub fn union(
-    /// What is merged.
+    /// The devices to merge.
     #[param(name = "D")]
-    d: Elements,
-    /// Each layer on its own and drawn there; `layer` has no say then.
+    d: DeviceList,
+    /// Merge each layer separately and keep it; `layer` is then not used.
     #[default(false)]
     by_layer: bool,
     /// Grid step.
@@ -90,7 +90,7 @@ pub fn union(
     /// Must be true: a union has only one order. PHIDL ignores the value.
     #[default(true)]
     join_first: bool,
-    /// The most points of a polygon; fewer than 5 mean no limit.
+    /// Largest number of points of a polygon; fewer than 5 mean no limit.
     #[default(4000)]
     max_points: usize,
     /// Where the result is drawn.
@@ -108,7 +108,7 @@ pub fn union(
 /// None.
 ///
 /// # Errors
-/// A coordinate that is off the grid, which reaches ±2⁴⁰ steps of `precision`, with the cell it is in.
+/// A coordinate beyond the grid of ±2⁴⁰ steps of `precision`.
 ///
 /// # Examples
 /// ```
@@ -125,10 +125,10 @@ pub fn union(
 pub fn xor_diff(
     /// One drawing.
     #[param(name = "A")]
-    a: Elements,
+    a: DeviceList,
     /// The other one.
     #[param(name = "B")]
-    b: Elements,
+    b: DeviceList,
     /// Grid step.
     #[default(1e-4)]
     #[param(unit = "um", above = 0.0)]

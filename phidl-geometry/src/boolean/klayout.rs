@@ -9,10 +9,10 @@ use phidl_boolean::{Margin, OpenPorts};
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
-use super::{Elements, NumCpu};
+use super::{DeviceList, NumCpu};
 use crate::basic::{circle, cross, rectangle};
 
-/// Tile size where nothing else is asked for (µm).
+/// Default tile size (µm).
 const TILE: Size = Size { width: 1000.0, height: 1000.0 };
 
 fn options(precision: f64, tile_size: Option<Size>, num_cpu: NumCpu) -> KLayoutOptions<'static> {
@@ -48,17 +48,17 @@ fn check_merged(check: Check<'_>, merge_after: bool) -> Result<()> {
 pub fn kl_boolean(
     /// First operand.
     #[param(name = "A")]
-    a: Elements,
+    a: DeviceList,
     /// Second operand.
     #[param(name = "B")]
-    b: Elements,
-    /// What to do: `and`, `or` (`A+B`), `not` (`A-B`), `B-A`, `xor`.
+    b: DeviceList,
+    /// The operation: `and`, `or` (`A+B`), `not` (`A-B`), `B-A`, `xor`.
     operation: String,
     /// Grid step.
     #[default(1e-4)]
     #[param(unit = "um", above = 0.0)]
     precision: f64,
-    /// About how large the parts are that threads get; none leaves it to the engine. The result does not depend on it.
+    /// Approximate size of the parts given to threads; none lets the engine choose. The result does not depend on it.
     #[default(Some(TILE))]
     #[param(unit = "um")]
     tile_size: Option<Size>,
@@ -100,9 +100,9 @@ pub fn kl_boolean(
 /// Own engine, compatible with PHIDL's `kl_offset`.
 #[device(picture = "docs/kl_offset.svg", example = KlOffsetParams::new(cross(10, 3, 0)?).distance(1))]
 pub fn kl_offset(
-    /// What is drawn.
-    elements: Elements,
-    /// How far, rounded to whole grid steps; negative goes inside.
+    /// The devices.
+    elements: DeviceList,
+    /// Distance, rounded to whole grid steps; negative goes inside.
     #[default(0.1)]
     #[param(unit = "um")]
     distance: f64,
@@ -110,10 +110,10 @@ pub fn kl_offset(
     #[default(1e-4)]
     #[param(unit = "um", above = 0.0)]
     precision: f64,
-    /// How corners are cut: 0 straight, 1 keeps 135°, 2 keeps right angles, up to 5.
+    /// Cut of corners: 0 cuts all, 1 keeps 135° and blunter, 2 keeps right angles, up to 5.
     #[default(2)]
     miter_mode: usize,
-    /// About how large the parts are that threads get; none leaves it to the engine. The result does not depend on it.
+    /// Approximate size of the parts given to threads; none lets the engine choose. The result does not depend on it.
     #[default(Some(TILE))]
     #[param(unit = "um")]
     tile_size: Option<Size>,
@@ -153,23 +153,23 @@ pub fn kl_offset(
 /// Own engine, compatible with PHIDL's `kl_outline`.
 #[device(picture = "docs/kl_outline.svg", example = KlOutlineParams::new(cross(10, 3, 0)?).distance(1))]
 pub fn kl_outline(
-    /// What is drawn.
-    elements: Elements,
-    /// How far, rounded to whole grid steps; negative goes inside.
+    /// The devices.
+    elements: DeviceList,
+    /// Distance, rounded to whole grid steps; negative goes inside.
     #[default(0.1)]
     #[param(unit = "um")]
     distance: f64,
-    /// Whether the frame is open at ports: false, true, or how much wider than the port (µm).
+    /// Openings of the frame at ports: false, true, or an opening wider than the port by this length (µm).
     #[default(false)]
     open_ports: OpenPorts,
     /// Grid step.
     #[default(1e-4)]
     #[param(unit = "um", above = 0.0)]
     precision: f64,
-    /// How corners are cut: 0 straight, 1 keeps 135°, 2 keeps right angles, up to 5.
+    /// Cut of corners: 0 cuts all, 1 keeps 135° and blunter, 2 keeps right angles, up to 5.
     #[default(2)]
     miter_mode: usize,
-    /// About how large the parts are that threads get; none leaves it to the engine. The result does not depend on it.
+    /// Approximate size of the parts given to threads; none lets the engine choose. The result does not depend on it.
     #[default(Some(TILE))]
     #[param(unit = "um")]
     tile_size: Option<Size>,
@@ -188,7 +188,7 @@ pub fn kl_outline(
     Ok(phidl_boolean::klayout::kl_outline(&elements, distance, open_ports, miter_mode, layer, &options)?)
 }
 
-/// Draws what shapes leave free in the box around all of them; see [`invert`](fn@super::invert).
+/// Draws the complement of shapes inside a box around all of them; see [`invert`](fn@super::invert).
 ///
 /// # Ports
 /// None.
@@ -209,9 +209,9 @@ pub fn kl_outline(
 /// Own engine, compatible with PHIDL's `kl_invert`.
 #[device(picture = "docs/kl_invert.svg", example = KlInvertParams::new(cross(10, 3, 0)?))]
 pub fn kl_invert(
-    /// What is drawn.
-    elements: Elements,
-    /// How far the box reaches beyond the shapes, in all directions or in x and in y.
+    /// The devices.
+    elements: DeviceList,
+    /// Margin of the box around the shapes, in all directions or in x and in y.
     #[default((10, 10))]
     #[param(unit = "um")]
     border: Margin,
@@ -219,7 +219,7 @@ pub fn kl_invert(
     #[default(1e-4)]
     #[param(unit = "um", above = 0.0)]
     precision: f64,
-    /// About how large the parts are that threads get; none leaves it to the engine. The result does not depend on it.
+    /// Approximate size of the parts given to threads; none lets the engine choose. The result does not depend on it.
     #[default(Some(TILE))]
     #[param(unit = "um")]
     tile_size: Option<Size>,

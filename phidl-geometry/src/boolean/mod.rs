@@ -4,9 +4,9 @@
 //! |---|---|---|
 //! | [`boolean`](fn@boolean), [`union`], [`xor_diff`] | [`offset`](fn@offset), [`outline`], [`invert`] | [`kl_boolean`], [`kl_offset`], [`kl_outline`], [`kl_invert`] |
 //!
-//! As generators they are cached and can be built by name, and their operands are devices. phidl-boolean's own functions
-//! take references, polygons and outlines too, and say what PHIDL's parameters only encode: `tolerance` is a miter limit
-//! with one join and a number of points with another.
+//! As generators they are cached and can be built by name; their operands are devices. The functions of phidl-boolean also
+//! take references, polygons and outlines, and have typed joins: here `tolerance` is the miter limit of one join and the
+//! number of points of another.
 
 mod combine;
 mod klayout;
@@ -15,5 +15,5 @@ mod resize;
 
 pub use combine::*;
 pub use klayout::*;
-pub use params::{Divisions, Elements, JoinName, NumCpu};
+pub use params::{DeviceList, Divisions, JoinName, NumCpu};
 pub use resize::*;

@@ -1,4 +1,4 @@
-//! What the boolean functions take beside numbers: elements, joins, divisions, threads.
+//! Parameter types of the boolean functions: devices, joins, divisions, threads.
 
 use phidl_boolean::{Join, OffsetOptions, Options, RunOptions, Shapes, StripCount};
 use phidl_core::param::{ConversionError, Param, ParamType};
@@ -12,45 +12,45 @@ const FEWEST_POINTS: usize = 5;
 /// [`Reference::alone`](phidl_core::scene::Reference::alone); phidl-boolean's functions take placements and bare outlines
 /// as they are.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Elements(pub Vec<Device>);
+pub struct DeviceList(pub Vec<Device>);
 
-impl Shapes for Elements {
+impl Shapes for DeviceList {
     fn add_to(&self, cell: &mut DeviceBuilder) -> Result<()> {
         self.0.add_to(cell)
     }
 }
 
-impl From<Device> for Elements {
+impl From<Device> for DeviceList {
     fn from(device: Device) -> Self {
         Self(vec![device])
     }
 }
 
-impl From<&Device> for Elements {
+impl From<&Device> for DeviceList {
     fn from(device: &Device) -> Self {
         device.clone().into()
     }
 }
 
-impl<D: Into<Device>> From<Vec<D>> for Elements {
+impl<D: Into<Device>> From<Vec<D>> for DeviceList {
     fn from(devices: Vec<D>) -> Self {
         Self(devices.into_iter().map(Into::into).collect())
     }
 }
 
-impl<D: Into<Device>, const N: usize> From<[D; N]> for Elements {
+impl<D: Into<Device>, const N: usize> From<[D; N]> for DeviceList {
     fn from(devices: [D; N]) -> Self {
         Self(devices.map(Into::into).into())
     }
 }
 
-impl From<()> for Elements {
+impl From<()> for DeviceList {
     fn from((): ()) -> Self {
         Self::default()
     }
 }
 
-impl Param for Elements {
+impl Param for DeviceList {
     fn param_type() -> ParamType {
         ParamType::Other("a device, a list of devices, or none")
     }
@@ -68,7 +68,7 @@ impl Param for Elements {
     }
 }
 
-/// What is put at the corners of a grown shape.
+/// Shape of the corners of a grown shape.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Choice)]
 pub enum JoinName {
     /// The edges are extended until they meet, up to `tolerance` distances from the corner (at least 2).
@@ -76,7 +76,7 @@ pub enum JoinName {
     Miter,
     /// The corner is cut square, at the distance.
     Bevel,
-    /// An arc of `tolerance` points a turn when growing; as many as keep it to a quarter grid step when shrinking.
+    /// An arc: `tolerance` points a turn when growing, accurate to a quarter of a grid step when shrinking.
     Round,
 }
 
@@ -101,7 +101,7 @@ fn points_per_turn(tolerance: f64, distance: f64) -> f64 {
     (PI / (1.0 - 0.25 / distance.abs()).max(-1.0).acos()).max(FEWEST)
 }
 
-/// Into how many parts the plane is divided, in x and in y. It may change how long a function takes, and nothing else.
+/// Number of parts of the plane, in x and in y. It changes the run time only, never the result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Divisions(pub u32, pub u32);
 
@@ -182,7 +182,10 @@ impl Param for NumCpu {
         match value {
             Value::Null => Ok(Self::ALL),
             Value::Text(text) if text == "all" => Ok(Self::ALL),
-            count => u32::from_value(count).map(Self::from),
+            count => match u32::from_value(count) {
+                Ok(threads) => Ok(threads.into()),
+                Err(_) => Err(ConversionError::new(value, "be a number of threads or \"all\"")),
+            },
         }
     }
 }
@@ -208,7 +211,7 @@ mod tests {
         assert!(divisions(vec![0, 3].into()).is_err() && divisions(vec![1].into()).is_err());
         assert_eq!(NumCpu::from_value(&"all".into()), Ok(NumCpu::ALL));
         assert_eq!(NumCpu::from_value(&2.into()), Ok(NumCpu(Some(2))));
-        assert_eq!(Elements::from_value(&Value::Null), Ok(Elements::default()));
+        assert_eq!(DeviceList::from_value(&Value::Null), Ok(DeviceList::default()));
     }
 
     #[test]

@@ -4,7 +4,7 @@ use phidl_boolean::{Margin, OpenPorts};
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
-use super::{Divisions, Elements, JoinName};
+use super::{DeviceList, Divisions, JoinName};
 use crate::basic::cross;
 
 /// Grows shapes by a distance, or shrinks them by a negative one.
@@ -13,8 +13,7 @@ use crate::basic::cross;
 /// None.
 ///
 /// # Errors
-/// A coordinate that is off the grid, which reaches ±2⁴⁰ steps of `precision`, with the cell it is in.
-/// `distance` beyond the grid.
+/// A coordinate or `distance` beyond the grid of ±2⁴⁰ steps of `precision`.
 ///
 /// # Examples
 /// ```
@@ -29,9 +28,9 @@ use crate::basic::cross;
 /// Own engine, compatible with PHIDL's `offset`.
 #[device(picture = "docs/offset.svg", example = OffsetParams::new(cross(10, 3, 0)?).distance(1))]
 pub fn offset(
-    /// What is grown.
-    elements: Elements,
-    /// How far; negative shrinks.
+    /// The devices to grow.
+    elements: DeviceList,
+    /// Distance; negative shrinks.
     #[default(0.1)]
     #[param(unit = "um")]
     distance: f64,
@@ -42,16 +41,16 @@ pub fn offset(
     #[default(1e-4)]
     #[param(unit = "um", above = 0.0)]
     precision: f64,
-    /// Parts that the plane is divided into; the result does not depend on it.
+    /// Number of parts of the plane in x and y. The result does not depend on it.
     #[default([1, 1])]
     num_divisions: Divisions,
-    /// What is put at corners.
+    /// Shape of the corners.
     #[default(JoinName::Miter)]
     join: JoinName,
-    /// Of miters, the farthest tip in distances (at least 2); of arcs, the points of a full turn.
+    /// For miters, the largest distance of a tip from its corner, in distances (at least 2); for arcs, the points of a full turn.
     #[default(2.0)]
     tolerance: f64,
-    /// The most points of a polygon; fewer than 5 mean no limit.
+    /// Largest number of points of a polygon; fewer than 5 mean no limit.
     #[default(4000)]
     max_points: usize,
     /// Where the result is drawn.
@@ -85,8 +84,8 @@ pub fn offset(
 /// Own engine, compatible with PHIDL's `outline`.
 #[device(picture = "docs/outline.svg", example = OutlineParams::new(cross(10, 3, 0)?))]
 pub fn outline(
-    /// What is framed.
-    elements: Elements,
+    /// The devices to frame.
+    elements: DeviceList,
     /// Width of the frame; negative draws it inside.
     #[default(1.0)]
     #[param(unit = "um")]
@@ -95,22 +94,22 @@ pub fn outline(
     #[default(1e-4)]
     #[param(unit = "um", above = 0.0)]
     precision: f64,
-    /// Parts that the plane is divided into; the result does not depend on it.
+    /// Number of parts of the plane in x and y. The result does not depend on it.
     #[default([1, 1])]
     num_divisions: Divisions,
-    /// What is put at corners.
+    /// Shape of the corners.
     #[default(JoinName::Miter)]
     join: JoinName,
-    /// Of miters, the farthest tip in distances (at least 2); of arcs, the points of a full turn.
+    /// For miters, the largest distance of a tip from its corner, in distances (at least 2); for arcs, the points of a full turn.
     #[default(2.0)]
     tolerance: f64,
     /// Merge overlapping shapes first; otherwise each is shrunk on its own.
     #[default(true)]
     join_first: bool,
-    /// The most points of a polygon; fewer than 5 mean no limit.
+    /// Largest number of points of a polygon; fewer than 5 mean no limit.
     #[default(4000)]
     max_points: usize,
-    /// Whether the frame is open at ports: false, true, or how much wider than the port (µm).
+    /// Openings of the frame at ports: false, true, or an opening wider than the port by this length (µm).
     #[default(false)]
     open_ports: OpenPorts,
     /// Where the result is drawn.
@@ -122,13 +121,13 @@ pub fn outline(
     Ok(phidl_boolean::outline(&elements, distance, &growth, open_ports, layer, &options)?)
 }
 
-/// Draws what shapes leave free in the box around all of them.
+/// Draws the complement of shapes inside a box around all of them.
 ///
 /// # Ports
 /// None.
 ///
 /// # Errors
-/// A coordinate that is off the grid, which reaches ±2⁴⁰ steps of `precision`, with the cell it is in. `num_divisions` of 0.
+/// A coordinate beyond the grid of ±2⁴⁰ steps of `precision`.
 ///
 /// # Examples
 /// ```
@@ -143,9 +142,9 @@ pub fn outline(
 /// Own engine, compatible with PHIDL's `invert`.
 #[device(picture = "docs/invert.svg", example = InvertParams::new(cross(10, 3, 0)?))]
 pub fn invert(
-    /// What is left out.
-    elements: Elements,
-    /// How far the box reaches beyond the shapes, in all directions or in x and in y.
+    /// The devices to leave out.
+    elements: DeviceList,
+    /// Margin of the box around the shapes, in all directions or in x and in y.
     #[default(10.0)]
     #[param(unit = "um")]
     border: Margin,
@@ -153,10 +152,10 @@ pub fn invert(
     #[default(1e-4)]
     #[param(unit = "um", above = 0.0)]
     precision: f64,
-    /// Parts that the plane is divided into; the result does not depend on it.
+    /// Number of parts of the plane in x and y. The result does not depend on it.
     #[default([1, 1])]
     num_divisions: Divisions,
-    /// The most points of a polygon; fewer than 5 mean no limit.
+    /// Largest number of points of a polygon; fewer than 5 mean no limit.
     #[default(4000)]
     max_points: usize,
     /// Where the result is drawn.

@@ -16,8 +16,8 @@ const SIDES: [(&str, f64); 4] = [("N", 90.0), ("S", 270.0), ("E", 0.0), ("W", 18
 /// The rectangle is a reference to one [`rectangle`](fn@rectangle).
 ///
 /// # Ports
-/// On every side that `ports` names, so many as it says: they share the side evenly and fill it, and look outwards.
-/// Their names are the side and a number, counted to the right (`N1`, `N2`, …, `S1`, …) or upwards (`E1`, …, `W1`, …).
+/// On every side in `ports`, the given number: equal widths that together fill the side, facing outwards. Their names are
+/// the side and a number, counted to the right (`N1`, `N2`, …, `S1`, …) or upwards (`E1`, …, `W1`, …).
 ///
 /// # Errors
 /// `ports` names another side than `N`, `S`, `E`, `W`.
@@ -49,7 +49,7 @@ pub fn compass_multi(
 ) -> Result<Device> {
     for side in ports.keys() {
         let known = SIDES.iter().any(|(name, _)| name == side);
-        check.that("ports", format_args!("{side:?}"), known, "be among N, S, E, W")?;
+        check.that("a side of ports", format_args!("{side:?}"), known, "be N, S, E or W")?;
     }
     let mut d = Device::builder("compass_multi");
     d.add(rectangle(size, layer)?.place().moved_by((-size.width / 2.0, -size.height / 2.0)));
@@ -93,7 +93,7 @@ mod tests {
     #[test]
     fn sides_that_a_rectangle_does_not_have_and_sides_without_ports_are_refused() {
         let error = compass_multi((4, 2), [("n", 1)], 0).unwrap_err().to_string();
-        assert_eq!(error, "compass_multi: ports is \"n\", but it must be among N, S, E, W");
+        assert_eq!(error, "compass_multi: a side of ports is \"n\", but it must be N, S, E or W");
         let error = compass_multi((4, 2), [("N", 0)], 0).unwrap_err().to_string();
         assert_eq!(error, "compass_multi: ports[\"N\"] is 0, but it must be at least 1");
     }

@@ -3,10 +3,10 @@
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
-/// Makes two ports back to back and draws nothing: a joint between things, or a place to start from.
+/// Makes two ports back to back without any polygon: an adapter between two cells, or the start of a chain.
 ///
 /// # Ports
-/// `1` at `midpoint`, facing `orientation`, and `2` at the same place, facing the other way; both `width` wide.
+/// `1` at `midpoint`, facing `orientation`, and `2` at the same position, facing the opposite direction; both `width` wide.
 ///
 /// # Examples
 /// ```
@@ -31,7 +31,7 @@ pub fn connector(
     #[default(1.0)]
     #[param(unit = "um", min = 0.0)]
     width: f64,
-    /// Where port `1` looks.
+    /// Direction that port `1` faces.
     #[default(0.0)]
     #[param(unit = "deg")]
     orientation: f64,

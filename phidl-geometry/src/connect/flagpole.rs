@@ -3,7 +3,7 @@
 use phidl_core::prelude::*;
 use phidl_macros::{Choice, device};
 
-use super::filleted;
+use crate::polygon::filleted;
 
 /// Which letter a [`flagpole`](fn@flagpole) looks like.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Choice)]

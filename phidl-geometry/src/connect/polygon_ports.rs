@@ -41,14 +41,14 @@ pub fn polygon_ports(
     #[default(0)]
     layer: Layers,
 ) -> Result<Device> {
-    let lengths = format!("{} against {} numbers", ypts.len(), xpts.len());
-    check.that("ypts", lengths, xpts.len() == ypts.len(), "be as long as xpts")?;
+    let rule = format!("be {}, the number of xpts", xpts.len());
+    check.that("number of ypts", ypts.len(), xpts.len() == ypts.len(), &rule)?;
     let mut outline: Vec<Point> = xpts.into_iter().zip(ypts).map(Point::from).collect();
     if outline.len() > 1 && outline.first() == outline.last() {
         outline.pop();
     }
     let area = signed_area(&outline);
-    check.that("outline", format_args!("of area {area}"), area != 0.0, "enclose an area")?;
+    check.that("area of the outline", format_args!("{area} µm²"), area != 0.0, "not be 0 µm²")?;
 
     let mut d = Device::builder("polygon");
     d.add_polygon(&outline, layer)?;
@@ -76,7 +76,7 @@ mod tests {
     }
 
     #[test]
-    fn ports_look_outwards_whichever_way_the_outline_runs() {
+    fn ports_face_outwards_for_both_directions_of_the_outline() {
         for xs in [[0, 4, 4, 0], [0, 0, 4, 4]] {
             let ys = if xs[1] == 4 { [0, 0, 2, 2] } else { [0, 2, 2, 0] };
             for (midpoint, _, orientation) in ports(&polygon_ports(xs, ys, 0).unwrap()) {
@@ -104,7 +104,7 @@ mod tests {
     #[test]
     fn lists_that_make_no_outline_are_refused() {
         let error = polygon_ports([0, 4, 1], [0, 1], 0).unwrap_err().to_string();
-        assert_eq!(error, "polygon_ports: ypts is 2 against 3 numbers, but it must be as long as xpts");
+        assert_eq!(error, "polygon_ports: number of ypts is 2, but it must be 3, the number of xpts");
         assert!(polygon_ports([0, 1, 2], [0, 0, 0], 0).is_err());
         assert!(polygon_ports([0; 0], [0; 0], 0).is_err());
     }

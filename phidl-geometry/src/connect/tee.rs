@@ -3,7 +3,8 @@
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
-use super::{PoleTaper, filleted};
+use super::PoleTaper;
+use crate::polygon::filleted;
 
 /// Draws a bar with a stub below, the letter T.
 ///
@@ -92,11 +93,11 @@ mod tests {
 
     #[test]
     fn fillets_add_what_is_between_their_arcs_and_the_corners() {
-        let plain = tee((4, 2), (2, 1), None, 0).unwrap().area();
+        let sharp = tee((4, 2), (2, 1), None, 0).unwrap().area();
         let filleted = tee((4, 2), (2, 1), PoleTaper::Fillet, 0).unwrap();
         // Radius 0.49, limited by the edges of length 1; the corner lies outside the arc: (1 − π/4) r² each.
         let added = 2.0 * (1.0 - PI / 4.0) * 0.49 * 0.49;
-        assert!((filleted.area() - plain - added).abs() < 2e-4, "{} {}", filleted.area(), plain + added);
+        assert!((filleted.area() - sharp - added).abs() < 2e-4, "{} {}", filleted.area(), sharp + added);
         assert_eq!(filleted.polygons().next().unwrap().points.len(), 6 + 2 * 32);
     }
 

@@ -1,7 +1,7 @@
-//! Filling free area, so that every part of a layer is covered about alike.
+//! Dummy fill of empty area, for a uniform density of each layer.
 
+mod avoided;
 mod raster;
 mod rectangle;
-mod region;
 
 pub use rectangle::{AvoidLayers, FillRectangleParams, fill_rectangle};

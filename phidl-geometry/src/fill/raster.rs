@@ -1,14 +1,14 @@
 //! [`Raster`]: which cells of a regular raster are too near to an area.
 //!
-//! A cell is taken if any of it lies inside the area or nearer than the margin. The points nearer than the margin to an
-//! edge of the area are that edge with an ellipse swept along it: a convex shape, so in one row of cells it takes one
-//! run of them, from the leftmost to the rightmost point it has there. These points are computed in closed form. The
-//! reference rasters the area first and widens its pixels, which can lose half a cell of the margin.
+//! A cell is taken if any part of it lies inside the area or nearer than the margin. The points nearer than the margin to
+//! an edge of the area form an ellipse swept along that edge: a convex shape. In one row of cells it takes one run, from
+//! its leftmost to its rightmost point in that row; both are computed in closed form. Rasterizing the area and dilating
+//! pixels was rejected: it can lose half a cell of the margin.
 
 use phidl_core::num::count;
 use phidl_core::prelude::*;
 
-use super::region::{Edge, Outline, Region, crossing};
+use super::avoided::{AvoidedArea, Edge, Outline, crossing};
 use crate::arguments::PerAxis;
 
 /// Cells are looked at without a rim of this width (µm), so that noise in coordinates does not take a cell that just
@@ -25,24 +25,42 @@ pub(super) struct Raster {
     taken: Vec<bool>,
 }
 
-/// Some free cells in a rectangle.
+/// A rectangle of free cells.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Block {
+pub(super) struct FreeBlock {
     pub(super) column: usize,
     pub(super) row: usize,
     pub(super) columns: usize,
     pub(super) rows: usize,
 }
 
+impl FreeBlock {
+    /// Its cells, row by row.
+    pub(super) fn cells(&self) -> impl Iterator<Item = Self> {
+        let Self { column, row, columns, rows } = *self;
+        let one = move |column, row| Self { column, row, columns: 1, rows: 1 };
+        (row..row + rows).flat_map(move |row| (column..column + columns).map(move |column| one(column, row)))
+    }
+}
+
 impl Raster {
-    /// A raster of free cells of this size from the lower left corner of a box on: as many as lie inside it.
+    /// A raster of free cells, aligned with the lower left corner of a box: the whole cells inside the box.
     pub(super) fn new(within: Rect, pitch: Size, columns: usize, rows: usize) -> Self {
         Self { origin: within.min, pitch, columns, rows, taken: vec![false; columns * rows] }
     }
 
-    /// How many whole cells of an extent fit into a length, noise aside.
+    /// Number of whole cells of an extent in a length, up to floating-point noise.
     pub(super) fn cells_in(length: f64, extent: f64) -> usize {
         count::up(((length + NOISE) / extent).floor())
+    }
+
+    /// The corners of a cell or of several, from their column and row lines. Neighbors share these to the last bit.
+    pub(super) fn bounds(&self, block: &FreeBlock) -> Rect {
+        let line = |column: usize, row: usize| {
+            self.origin + Point::new(column as f64 * self.pitch.width, row as f64 * self.pitch.height)
+        };
+        let (column, row) = (block.column, block.row);
+        Rect::new(line(column, row), line(column + block.columns, row + block.rows))
     }
 
     /// The middle of a cell.
@@ -52,7 +70,7 @@ impl Raster {
     }
 
     /// Takes every cell that lies inside a region or nearer to it than the margin, which is a radius along either axis.
-    pub(super) fn take_near(&mut self, region: &Region, margin: PerAxis) {
+    pub(super) fn take_near(&mut self, region: &AvoidedArea, margin: PerAxis) {
         let mut inside = vec![false; self.taken.len()];
         region.solid.iter().for_each(|outline| self.set_inside(&mut inside, outline, true));
         region.open.iter().for_each(|outline| self.set_inside(&mut inside, outline, false));
@@ -60,9 +78,9 @@ impl Raster {
         region.edges.iter().for_each(|edge| self.take_near_edge(*edge, margin));
     }
 
-    /// The free cells as few blocks: runs in a row, joined with equal runs in the rows above.
-    pub(super) fn free_blocks(&self) -> Vec<Block> {
-        let mut blocks: Vec<Block> = Vec::new();
+    /// The free cells as few rectangles: runs of a row, merged with equal runs of the rows above.
+    pub(super) fn free_blocks(&self) -> Vec<FreeBlock> {
+        let mut blocks: Vec<FreeBlock> = Vec::new();
         let mut below: Vec<usize> = Vec::new();
         for row in 0..self.rows {
             let runs = self.free_runs(row);
@@ -72,7 +90,7 @@ impl Raster {
                     let block = below.iter().find(same).copied();
                     match block {
                         Some(block) => blocks[block].rows += 1,
-                        None => blocks.push(Block { column, row, columns, rows: 1 }),
+                        None => blocks.push(FreeBlock { column, row, columns, rows: 1 }),
                     }
                     block.unwrap_or(blocks.len() - 1)
                 })
@@ -233,7 +251,7 @@ mod tests {
         let mut raster = Raster::new(Rect::new((0, 0), (4, 3)), Size::new(1.0, 1.0), 4, 3);
         raster.taken[1] = true;
         raster.taken[5] = true;
-        let block = |column, row, columns, rows| Block { column, row, columns, rows };
+        let block = |column, row, columns, rows| FreeBlock { column, row, columns, rows };
         assert_eq!(raster.free_blocks(), [block(0, 0, 1, 2), block(2, 0, 2, 2), block(0, 2, 4, 1)]);
     }
 

@@ -5,7 +5,7 @@ use phidl_macros::device;
 
 use crate::basic::rectangle;
 
-/// Draws a vernier of two layers: the notches that stand in line tell how far one layer is off the other.
+/// Draws a vernier of two layers: the pair of notches in line shows the displacement of one layer against the other.
 ///
 /// ```text
 ///            █
@@ -14,13 +14,15 @@ use crate::basic::rectangle;
 ///            █
 /// ```
 ///
-/// There are `num_notches` on either side of the middle one, which is doubled outwards. The rows meet at y = 0, or
-/// `row_spacing` apart below it. The notches of `layer2` are moved towards the middle by `offset_per_notch` for each notch
-/// between them and the middle one: if the `n`-th one from the middle stands in line, the layers are off by
-/// `n · offset_per_notch`.
+/// There are `num_notches` on either side of the middle notch, which has twice the height. The upper row stands on y = 0,
+/// the lower row hangs `row_spacing` below. The pitch of `layer2` is smaller by `offset_per_notch`: if the `n`-th notches
+/// from the middle are in line, the layers are displaced by `n · offset_per_notch`.
 ///
 /// # Ports
 /// None.
+///
+/// # Numerics
+/// Notches are polygons of one cell with equal coordinates where they meet, so that no grid opens a gap between them.
 ///
 /// # Examples
 /// ```
@@ -78,6 +80,7 @@ pub fn litho_calipers(
         d.add(upper.place().moved_by((x, 0)));
         d.add(lower.place().moved_by((x + offset, below)));
     }
+    d.flatten()?;
     d.build()
 }
 
@@ -86,15 +89,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_notch_stands_in_line_when_the_layers_are_off_by_its_number_of_offsets() {
+    fn the_nth_notches_are_in_line_at_n_offsets() {
         let d = litho_calipers((2, 5), 2, 3, 0.25, 1, 1, 2).unwrap();
         let row = |layer: u16, y: f64| -> Vec<f64> {
             let boxes = d.flat_polygons().filter(|p| p.layer == Some(layer.into()));
             let boxes = boxes.map(|p| Rect::around(p.points()).unwrap());
             boxes.filter(|b| b.min.y == y).map(|b| b.min.x).collect()
         };
-        let apart: Vec<f64> = row(1, 0.0).iter().zip(row(2, -6.0)).map(|(a, b)| b - a).collect();
-        assert_eq!(apart, [0.75, 0.5, 0.25, 0.0, -0.25, -0.5, -0.75]);
+        let offsets: Vec<f64> = row(1, 0.0).iter().zip(row(2, -6.0)).map(|(a, b)| b - a).collect();
+        assert_eq!(offsets, [0.75, 0.5, 0.25, 0.0, -0.25, -0.5, -0.75]);
         assert_eq!((row(1, 5.0), row(2, -11.0)), (vec![12.0], vec![12.0]));
     }
 }

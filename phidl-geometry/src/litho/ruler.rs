@@ -44,10 +44,10 @@ pub fn litho_ruler(
     #[default(1.2)]
     #[param(unit = "um")]
     spacing: f64,
-    /// Heights of the marks in units of `height`, from the first mark on and over again.
+    /// Heights of the marks in units of `height`, repeated from the first mark on.
     #[default([3, 1, 1, 1, 1, 2, 1, 1, 1, 1])]
     scale: Vec<f64>,
-    /// How many marks; none draws nothing.
+    /// Number of marks; 0 draws nothing.
     #[default(21)]
     #[param(max = 1000000)]
     num_marks: usize,

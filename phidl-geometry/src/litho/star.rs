@@ -5,8 +5,8 @@ use phidl_macros::device;
 
 use crate::basic::rectangle;
 
-/// Draws lines through the origin at even angles, a star: where they run together shows the resolution, and how round
-/// that place is shows the astigmatism.
+/// Draws a star of lines through the origin at equal angles. The radius at which the lines merge shows the resolution; its
+/// roundness shows the astigmatism.
 ///
 /// The lines are references to one [`rectangle`](fn@rectangle); line `i` is turned by `180° · i / num_lines`.
 ///

@@ -6,22 +6,26 @@ use phidl_macros::device;
 use crate::basic::rectangle;
 use crate::text::{Justify, text};
 
-/// Draws lines of falling width above bars that are as far apart as the lines are wide: both tones of each width.
+/// Draws lines of decreasing width above bars with gaps of the same widths: each width in both tones.
 ///
 /// ```text
 ///    16  ████        ███        ██         height / 2    line_widths, from the last one
 ///     ──────────────────────────────────── y = 0
-///     ███    ███    ███   ███   ███   ███  height / 2    bars of line_spacing, line_widths apart
+///     ███    ███    ███   ███   ███   ███  height / 2    bars of line_spacing, gaps of line_widths
 /// ```
 ///
-/// The first bar begins at the origin; after it and after every line comes `line_spacing`, after every bar above whose
-/// end a line begins the width of this line. A label on the left names the last width.
+/// The first bar begins at the origin. Each line stands above the gap between two bars and is as wide as that gap. A label
+/// on the left names the last width.
 ///
 /// # Ports
 /// None.
 ///
 /// # Errors
 /// `line_widths` is empty.
+///
+/// # Numerics
+/// Lines and bars are polygons of one cell with equal coordinates where their corners meet, so that no grid moves them
+/// against each other.
 ///
 /// # Examples
 /// ```
@@ -67,6 +71,7 @@ pub fn litho_steps(
         d.add(bar.place().moved_by((x, -half)));
         d.add(rectangle((width, half), &layer)?.place().moved_by((x - width, 0)));
     }
+    d.flatten()?;
     d.build()
 }
 

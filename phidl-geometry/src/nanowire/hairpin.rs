@@ -1,17 +1,16 @@
-//! [`optimal_hairpin`]: a turn of 180° in which the current does not crowd.
+//! [`optimal_hairpin`]: a turn of 180° without current crowding.
 //!
-//! The inner edge is a line of flow of the current around a sharp turn: where the flow is, the edge may be. The line is
-//! followed step by step rather than computed from a closed form, since the steps decide the number of points, and masks
-//! drawn with PHIDL have those.
+//! The inner edge is a streamline of the current around a sharp turn. It is integrated step by step. A closed form was
+//! rejected: the steps define the points of PHIDL's masks.
 
 use num_complex::Complex64;
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
-/// A line of flow that needs more steps than this is refused.
+/// Largest number of steps of a streamline.
 const MOST_STEPS: usize = 1_000_000;
 
-/// Draws a nanowire turn of 180° whose inner edge keeps the current from crowding.
+/// Draws a nanowire turn of 180° without current crowding at its inner edge.
 ///
 /// ```text
 ///   1 ━━━━━━━━━━━━━┓   ↑
@@ -27,9 +26,9 @@ const MOST_STEPS: usize = 1_000_000;
 /// `pitch` must be greater than `width`; `length` must hold the turn, which is about `pitch + turn_ratio · width` long.
 ///
 /// # Numerics
-/// The line of flow is followed in steps of about `width / (2 num_pts)`, and one step in a fixed number is kept, so that
-/// somewhat more than `num_pts` remain. The direction of a step is only roughly normalized, as PHIDL does; with the
-/// default parameters this moves the tip of the edge by 0.5 nm. The edge begins up to `width / 1000` inside the leads.
+/// The streamline is integrated in steps of about `width / (2 num_pts)`. Every n-th step is kept, so that slightly more
+/// than `num_pts` points remain. The direction of a step is normalized approximately, as in PHIDL; with the default
+/// parameters this moves the tip of the edge by 0.5 nm. The edge begins up to `width / 1000` inside the leads.
 ///
 /// # Examples
 /// ```
@@ -71,12 +70,12 @@ pub fn optimal_hairpin(
 ) -> Result<Device> {
     check.greater("pitch", pitch, ("width", width))?;
     let edge = inner_edge(width, pitch, num_pts);
-    let steps = format_args!("{num_pts} with a pitch of {} widths", pitch / width);
+    let steps = format_args!("{num_pts} at a pitch of {} widths", pitch / width);
     check.that(
         "num_pts",
         steps,
         edge.last().is_some_and(|p| p.y == 0.0),
-        "be smaller: the edge has too many points",
+        "be smaller, since the inner edge would have more than a million points",
     )?;
     let (start, tip) = (edge[0], edge[edge.len() - 1]);
     let right = tip.x + turn_ratio * width;

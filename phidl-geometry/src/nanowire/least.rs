@@ -11,7 +11,7 @@ const SQRT_EPS: f64 = 1.483_239_697_419_132_6e-8;
 /// Searches end here at the latest.
 const MOST_EVALUATIONS: usize = 500;
 
-/// A place and the value there.
+/// A position and the value of the function there.
 #[derive(Clone, Copy)]
 struct Sample {
     at: f64,
@@ -66,7 +66,7 @@ pub(super) fn least(f: impl Fn(f64) -> f64, low: f64, high: f64, tolerance: f64)
     best.at
 }
 
-/// From the best place to the vertex of the parabola through three, if it is inside and comes closer fast enough.
+/// Step from the best sample to the vertex of the parabola through three, if it lies inside and converges fast enough.
 fn parabolic_step(best: Sample, second: Sample, third: Sample, before: f64, (low, high): (f64, f64)) -> Option<f64> {
     let r = (best.at - second.at) * (best.value - third.value);
     let q = (best.at - third.at) * (best.value - second.value);
@@ -95,8 +95,8 @@ mod tests {
 
     #[test]
     fn smooth_minima_are_found_within_the_tolerance() {
-        for place in [0.01, 0.5, 1.9, 3.1] {
-            assert!((least(|v| (v - place).powi(2), 0.0, 3.2, 1e-5) - place).abs() < 1e-5, "{place}");
+        for minimum in [0.01, 0.5, 1.9, 3.1] {
+            assert!((least(|v| (v - minimum).powi(2), 0.0, 3.2, 1e-5) - minimum).abs() < 1e-5, "{minimum}");
         }
         let cosine = least(f64::cos, 0.0, 6.0, 1e-5);
         assert!((cosine - std::f64::consts::PI).abs() < 1e-5);

@@ -1,10 +1,10 @@
-//! [`optimal_90deg`]: a right angle in which the current does not crowd.
+//! [`optimal_90deg`]: a right angle without current crowding.
 
 use phidl_core::num::count::linspace;
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
-/// Draws a nanowire bend of 90° whose inner edge keeps the current from crowding.
+/// Draws a nanowire bend of 90° without current crowding at its inner edge.
 ///
 /// The outer corner is the origin; the arms run along x and y.
 ///

@@ -6,7 +6,7 @@ use phidl_core::prelude::*;
 use phidl_macros::device;
 
 use super::{OptimalHairpinParams, OptimalStepParams};
-use crate::arguments::OpenSize;
+use crate::arguments::PartialSize;
 use crate::compass;
 
 /// Points of the inner edge of a turn.
@@ -42,7 +42,8 @@ const MOST_ROWS: usize = 1_000_000;
 ///
 /// # Numerics
 /// `⌈height / wire_pitch⌉` rows, and one more where the terminals ask for it. A quotient that exceeds a whole number by
-/// the noise of the division only counts as that number.
+/// the noise of the division only counts as that number. Rows and turns are polygons of one cell with shared corners, so that
+/// no grid opens a gap between them.
 ///
 /// # Differences from PHIDL
 /// There such noise draws two more rows: 9 instead of 7 for a height of 4.2 and a pitch of 0.6.
@@ -71,7 +72,7 @@ pub fn snspd(
     /// Width and height of the meander.
     #[default((10, 8))]
     #[param(unit = "um", above = 0.0)]
-    size: OpenSize,
+    size: PartialSize,
     /// Length over width of the whole wire.
     #[default(None)]
     #[param(above = 0.0)]
@@ -87,39 +88,51 @@ pub fn snspd(
     #[default(0)]
     layer: Layers,
 ) -> Result<Device> {
-    let size = closed(size, num_squares, wire_width * wire_pitch)?;
-    let rows = rows(check, size.height / wire_pitch, terminals_same_side)?;
-    let turn = OptimalHairpinParams {
-        width: wire_width,
-        pitch: wire_pitch,
-        length: size.width / 2.0,
-        turn_ratio,
-        num_pts: TURN_POINTS,
-        layer: layer.clone(),
-    }
-    .build()?;
-    let bar = compass((size.width / 2.0, wire_width), layer)?;
-
-    let mut d = Device::builder("snspd");
-    let start = d.add(&bar);
-    let ports_at = turn.port("1")?.midpoint().x;
-    for row in 0..rows - 1 {
-        let (angle, x) = if row % 2 == 0 { (0, -ports_at) } else { (180, ports_at) };
-        let y = -(row as f64) * wire_pitch - wire_pitch / 2.0;
-        d.add(turn.place().rotated(angle).moved_by((size.width / 4.0 + x, y)));
-    }
-    let bottom = -((rows - 1) as f64) * wire_pitch;
-    let (angle, x) = if terminals_same_side { (0, 0.0) } else { (180, size.width / 2.0) };
-    let finish = d.add(bar.place().rotated(angle).moved_by((x, bottom)));
-    d.add_port("1", d[start].port("W")?)?;
-    d.add_port("2", d[finish].port("W")?)?;
-    d.info("num_squares", rows as f64 * size.width / wire_width);
-    d.info("area", size.width * size.height).info("size", size);
+    let params = SnspdParams { wire_width, wire_pitch, size, num_squares, turn_ratio, terminals_same_side, layer };
+    let mut d = params.assembled()?;
+    d.flatten()?;
     d.build()
 }
 
+impl SnspdParams {
+    /// Rows and turns, connected, as references.
+    fn assembled(&self) -> Result<DeviceBuilder> {
+        let &Self { wire_width, wire_pitch, size, num_squares, turn_ratio, terminals_same_side, ref layer } = self;
+        let check = Self::entry().check();
+        let size = closed(size, num_squares, wire_width * wire_pitch)?;
+        let rows = rows(check, size.height / wire_pitch, terminals_same_side)?;
+        let turn = OptimalHairpinParams {
+            width: wire_width,
+            pitch: wire_pitch,
+            length: size.width / 2.0,
+            turn_ratio,
+            num_pts: TURN_POINTS,
+            layer: layer.clone(),
+        }
+        .build()?;
+        let bar = compass((size.width / 2.0, wire_width), layer)?;
+
+        let mut d = Device::builder("snspd");
+        let start = d.add(&bar);
+        let ports_at = turn.port("1")?.midpoint().x;
+        for row in 0..rows - 1 {
+            let (angle, x) = if row % 2 == 0 { (0, -ports_at) } else { (180, ports_at) };
+            let y = -(row as f64) * wire_pitch - wire_pitch / 2.0;
+            d.add(turn.place().rotated(angle).moved_by((size.width / 4.0 + x, y)));
+        }
+        let bottom = -((rows - 1) as f64) * wire_pitch;
+        let (angle, x) = if terminals_same_side { (0, 0.0) } else { (180, size.width / 2.0) };
+        let finish = d.add(bar.place().rotated(angle).moved_by((x, bottom)));
+        d.add_port("1", d[start].port("W")?)?;
+        d.add_port("2", d[finish].port("W")?)?;
+        d.info("num_squares", rows as f64 * size.width / wire_width);
+        d.info("area", size.width * size.height).info("size", size);
+        Ok(d)
+    }
+}
+
 /// The size with what was open computed from the number of squares; `unit` is the area of one.
-fn closed(size: OpenSize, num_squares: Option<f64>, unit: f64) -> Result<Size> {
+fn closed(size: PartialSize, num_squares: Option<f64>, unit: f64) -> Result<Size> {
     match (size.width, size.height, num_squares) {
         (Some(width), Some(height), None) => Ok(Size { width, height }),
         (Some(width), None, Some(n)) => Ok(Size { width, height: n * unit / width }),
@@ -182,7 +195,7 @@ pub fn snspd_expanded(
     /// Width and height of the meander.
     #[default((10, 8))]
     #[param(unit = "um", above = 0.0)]
-    size: OpenSize,
+    size: PartialSize,
     /// Length over width of the whole wire.
     #[default(None)]
     #[param(above = 0.0)]
@@ -228,6 +241,7 @@ pub fn snspd_expanded(
     for (key, value) in meander.info() {
         d.info(key.as_str(), value.clone());
     }
+    d.flatten()?;
     d.build()
 }
 
@@ -247,7 +261,7 @@ mod tests {
             closed((10, 8).into(), Some(3.0), unit).unwrap_err().to_string(),
             "snspd: number of values among size and num_squares is 3, but it must be two, or num_squares alone"
         );
-        assert!(closed((10, None).into(), None, unit).is_err() && closed(OpenSize::default(), None, unit).is_err());
+        assert!(closed((10, None).into(), None, unit).is_err() && closed(PartialSize::default(), None, unit).is_err());
     }
 
     #[test]
@@ -288,7 +302,7 @@ mod tests {
         ) {
             let pitch = width * (1.0 + gap);
             let params = SnspdParams::default().wire_width(width).wire_pitch(pitch).size((20, height));
-            let d = params.terminals_same_side(same).build().unwrap();
+            let d = params.terminals_same_side(same).assembled().unwrap().build().unwrap();
             // Walking from port to port through the references visits them all.
             let mut at = d.port("1").unwrap().midpoint();
             for part in d.references() {

@@ -1,9 +1,8 @@
-//! [`optimal_step`]: a change of width at which the current does not crowd.
+//! [`optimal_step`]: a change of width without current crowding.
 //!
-//! The edge is a line of flow of the current through a sudden step, known as a conformal map ζ(η). A point with a given x
-//! or y is looked for by [`least`], with the tolerance that PHIDL uses: the points of its masks depend on it. Where that
-//! search does not reach the end widths (they are more than about 35 times apart, or `width_tol` is tiny) its answer is
-//! no use, and a bracketing root search takes over.
+//! The edge is a streamline of the current through an abrupt step, given by a conformal map ζ(η). A point with a given x or
+//! y is found by [`least`] with PHIDL's tolerance, on which the points of PHIDL's masks depend. That search misses the end
+//! widths if their ratio is above about 35 or `width_tol` is tiny. Then a bracketing root search replaces it.
 
 use num_complex::Complex64;
 use phidl_core::num::count::linspace;
@@ -22,7 +21,7 @@ const OUTERMOST: f64 = 1e-13;
 /// Where the root search ends (radians).
 const ROOT_TOLERANCE: f64 = 1e-15;
 
-/// Draws a change of width whose edge keeps the current from crowding.
+/// Draws a change of width without current crowding.
 ///
 /// It is flat below, on y = 0, or symmetric about it.
 ///
@@ -39,12 +38,13 @@ const ROOT_TOLERANCE: f64 = 1e-15;
 /// The widths must be equal, or differ by more than `width_tol` of both.
 ///
 /// # Numerics
-/// `num_pts` points, evenly spaced along x before they are stretched, from where the wire is `width_tol` wider than
-/// the narrow end to where it is `width_tol` narrower than the wide end; there it steps to the full width. Points are within
-/// `width_tol · wide width` of the exact curve (for widths a factor of 10 apart within 3e-5 of the wide width).
+/// `num_pts` points, evenly spaced along x before stretching. The curve starts where the wire is wider than the narrow end
+/// by the factor `1 + width_tol` and ends where it is narrower than the wide end by the factor `1 − width_tol`; there it
+/// steps to the full width. Points are within `width_tol · wide width` of the exact curve (for a ratio of widths of 10 within
+/// 3e-5 of the wide width).
 ///
 /// # Differences from PHIDL
-/// Where PHIDL's search loses the curve, it is solved for: a step from 1 to 1000 is then as long as it should be.
+/// Ratios of widths above about 35 are solved exactly. PHIDL's search fails there and draws the step too short.
 ///
 /// # Examples
 /// ```
@@ -76,7 +76,7 @@ pub fn optimal_step(
     #[default(1e-3)]
     #[param(above = 0.0, below = 1.0)]
     width_tol: f64,
-    /// By which factor it is longer than the line of flow; 1 for none of the reserve.
+    /// Stretch factor along x of the streamline; 1 draws the streamline itself.
     #[default(1.2)]
     #[param(above = 0.0)]
     anticrowding_factor: f64,
@@ -94,7 +94,7 @@ pub fn optimal_step(
         square(narrow, symmetric)
     } else {
         let ends = (narrow * (1.0 + width_tol), wide * (1.0 - width_tol));
-        check.less("narrow width and width_tol", ends.0, ("wide width less width_tol", ends.1))?;
+        check.unit("µm").less("width of the curve at its narrow end", ends.0, ("that at its wide end", ends.1))?;
         let edge = Flow::new(narrow, wide).edge(ends, num_pts)?;
         d.info("num_squares", squares(&edge));
         let turned = if start_width > end_width { -1.0 } else { 1.0 };
@@ -130,14 +130,14 @@ fn squares(edge: &[Point]) -> f64 {
     edge.windows(2).map(|p| (p[1].x - p[0].x) / ((p[0].y + p[1].y) / 2.0)).sum()
 }
 
-/// The flow of a current through a step from a narrow to a wide strip that have one side in common.
+/// The current through a step from a narrow to a wide strip with one common side.
 struct Flow {
     narrow: f64,
     wide: f64,
     gamma: f64,
 }
 
-/// How a place on the edge is looked for.
+/// The search for a point on the edge.
 #[derive(Clone, Copy)]
 enum Search {
     Least,
@@ -169,7 +169,7 @@ impl Flow {
         (found - height).abs() <= TRUSTED * (height - width).abs()
     }
 
-    /// The place on the edge with the parameter η: the wide end at 0, the narrow one at π.
+    /// The point of the edge with the parameter η: the wide end at 0, the narrow one at π.
     fn at(&self, eta: f64) -> Point {
         let (narrow, wide, gamma) = (self.narrow, self.wide, self.gamma);
         let omega = Complex64::from_polar(1.0, eta);
@@ -256,7 +256,7 @@ mod tests {
         let d = OptimalStepParams::default().start_width(10).end_width(10).symmetric(true).build().unwrap();
         assert_eq!(d.bbox(), Some(Rect::new((0, -5), (10, 5))));
         let error = OptimalStepParams::default().start_width(10).end_width(10.0000001).build().unwrap_err();
-        assert!(error.to_string().starts_with("optimal_step: narrow width and width_tol is 10.0"), "{error}");
+        assert!(error.to_string().starts_with("optimal_step: width of the curve at its narrow end is 10.0"), "{error}");
         assert!(OptimalStepParams::default().start_width(10).end_width(10.1).build().is_ok());
     }
 

@@ -181,7 +181,7 @@ mod tests {
 
     #[test]
     fn arms_that_the_inner_edge_would_cross_are_refused() {
-        // At 80°, an arm of 120 µm starts 2·50·sin 80° - 50 = 48.5 µm below: the edge is 83 µm aside where the outer begins.
+        // At 80°, an arm of 120 µm starts 2·50·sin 80° - 50 = 48.5 µm below: the edge is displaced by 83 µm where the outer begins.
         let arms =
             |width: f64| YtronRoundParams::default().rho(50).theta(80).arm_lengths((120, 120)).arm_widths((200, width));
         let least =

@@ -30,7 +30,8 @@ const MOST_PERIODS: usize = 1_000_000;
 /// A `fill_factor` of 1 with `partial_etch`, which leaves nothing to etch. (Teeth touch then.)
 ///
 /// # Numerics
-/// Teeth are `fill_factor · period` wide, bars what is left of a period; bars overhang the slab by 5 µm on each side.
+/// Teeth are `fill_factor · period` wide, bars `(1 − fill_factor) · period`; bars overhang the slab by 5 µm on each side. Teeth
+/// and taper are polygons of one cell with equal coordinates at their joint, so that no grid opens a gap between them.
 ///
 /// # Differences from PHIDL
 /// With `partial_etch`, the slab lies under all bars, from the first to the last, and the port has its width. PHIDL centers
@@ -103,6 +104,7 @@ pub fn grating(
         let taper = taper(length_taper, width_grating, width, layer)?.place().moved_by((end, 0));
         d.add_port("1", taper.port("2")?)?;
         d.add(taper);
+        d.flatten()?;
     }
     d.build()
 }

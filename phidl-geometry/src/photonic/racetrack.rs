@@ -6,15 +6,15 @@ use phidl_macros::device;
 
 /// Points of the curve before it is refined.
 const COARSE_POINTS: usize = 99;
-/// How far the middle of a chord may be from the curve (µm).
+/// Largest distance of the middle of a chord from the curve (µm).
 const TOLERANCE: f64 = 0.01;
 /// Smallest step of a finite difference along the parameter; below it, cosines lose their digits.
 const SMALLEST_STEP: f64 = 1e-6;
 
-/// Draws a quarter of a ring that bends gradually: a superellipse whose tightest part is an arc.
+/// Draws a quarter turn with gradual curvature: a superellipse whose tightest part is an arc.
 ///
-/// It runs from (R − c, 0), upright and hardly bent, to the y axis, which it meets at the end of the arc. The superellipse
-/// is moved to the left by c so that the arc continues it: 1.98 µm for R = 5 µm and N = 3.
+/// It starts at (R − c, 0) along y with low curvature and ends on the y axis, where the arc ends. The superellipse is
+/// shifted to the left by c so that the arc continues it smoothly: c = 1.98 µm for R = 5 µm and N = 3.
 ///
 /// # Ports
 /// None.
@@ -60,10 +60,10 @@ pub fn racetrack_gradual(
 ) -> Result<Device> {
     let curve = Curve::new(r, n);
     check.at_most("width", width, ("twice the tightest radius", 2.0 * curve.tightest))?;
-    let (places, finest) = curve.places();
+    let (samples, finest) = curve.samples();
     let step = (finest / 2.0).max(SMALLEST_STEP);
     let edges: Vec<(Point, Point)> =
-        places.iter().map(|t| (curve.at(*t), curve.normal(*t, step) * (width / 2.0))).collect();
+        samples.iter().map(|t| (curve.at(*t), curve.normal(*t, step) * (width / 2.0))).collect();
     let left = edges.iter().map(|(p, normal)| *p + *normal);
     let right = edges.iter().rev().map(|(p, normal)| *p - *normal);
 
@@ -78,7 +78,7 @@ struct Curve {
     n: f64,
     /// Radius of the arc that ends the superellipse at 45°.
     tightest: f64,
-    /// By how much both halves are moved towards the axes.
+    /// Shift of both halves towards the axes.
     shift: f64,
 }
 
@@ -104,13 +104,13 @@ impl Curve {
     }
 
     /// Parameters of the points, refined where the curve is tight, and the smallest step between them.
-    fn places(&self) -> (Vec<f64>, f64) {
+    fn samples(&self) -> (Vec<f64>, f64) {
         let mut coarse = linspace(0.0, 1.0, COARSE_POINTS);
         let mut finest = 1.0 / (COARSE_POINTS - 1) as f64;
-        let mut places: Vec<f64> = coarse.next().into_iter().collect();
+        let mut samples: Vec<f64> = coarse.next().into_iter().collect();
         let mut from = 0.0;
         for next in coarse {
-            // What is still to be reached, the nearest last.
+            // Ends of the steps still to be taken, the nearest last.
             let mut ahead = vec![next];
             while let Some(&to) = ahead.last() {
                 let middle = (from + to) / 2.0;
@@ -120,15 +120,15 @@ impl Curve {
                     ahead.push(middle);
                 } else {
                     ahead.pop();
-                    places.push(to);
+                    samples.push(to);
                     from = to;
                 }
             }
         }
-        (places, finest)
+        (samples, finest)
     }
 
-    /// Unit vector to the left of the curve, from points a step before and after where the curve has them.
+    /// Unit normal to the left of the curve, by central differences inside the curve.
     fn normal(&self, t: f64, step: f64) -> Point {
         let along = self.at((t + step).min(1.0)) - self.at((t - step).max(0.0));
         Point::new(-along.y, along.x) / along.norm()
@@ -145,8 +145,8 @@ mod tests {
     fn the_default_is_that_of_the_specification() {
         let curve = Curve::new(5.0, 3.0);
         assert!((curve.tightest - 2.80615512).abs() < 1e-8 && (curve.shift - 1.98425131).abs() < 1e-8);
-        let (places, finest) = curve.places();
-        assert_eq!(places.len(), 102);
+        let (samples, finest) = curve.samples();
+        assert_eq!(samples.len(), 102);
         assert!((finest - 0.00127551).abs() < 1e-8);
         let d = racetrack_gradual(0.3, 5, 3, 0).unwrap();
         let points = d.polygons().next().unwrap().points.to_vec();
@@ -192,8 +192,8 @@ mod tests {
                 let across = points[i].distance(points[2 * half - 1 - i]);
                 prop_assert!((across / (1.5 * curve.tightest) - 1.0).abs() < 1e-9);
             }
-            let (places, _) = curve.places();
-            for pair in places.windows(2) {
+            let (samples, _) = curve.samples();
+            for pair in samples.windows(2) {
                 let middle = curve.at((pair[0] + pair[1]) / 2.0);
                 prop_assert!(middle.distance((curve.at(pair[0]) + curve.at(pair[1])) / 2.0) <= TOLERANCE);
             }

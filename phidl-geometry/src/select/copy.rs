@@ -1,8 +1,8 @@
 //! [`copy`], [`deepcopy`] and [`flatten`].
 //!
-//! A finished cell never changes, so nobody has to copy one to be safe: a clone of a `Device` is the same cell, and
-//! `device.edit()` opens a copy to be changed. These generators are for scripts that copy by name, and for files in which
-//! two equal cells are to be two. They are not cached, since each call is to give a cell of its own.
+//! A finished cell never changes, so copies are never needed for safety: a clone of a `Device` is the same cell, and
+//! `device.edit()` opens a copy for changes. These generators serve scripts that copy by name. `copy` and `deepcopy` are not
+//! cached: each call makes a new cell. A file merges equal drawings unless the writer is told to keep all cells.
 
 use phidl_core::prelude::*;
 use phidl_macros::device;

@@ -37,6 +37,7 @@ pub fn extract(
     layers: LayerList,
 ) -> Result<Device> {
     let mut d = Device::builder("extract");
+    check_size(check, &device)?;
     let mut order: Vec<Layer> = Vec::new();
     for layer in device.flat_polygons().on(&layers.0).filter_map(|polygon| polygon.layer) {
         if !order.contains(&layer) {
@@ -86,6 +87,12 @@ pub fn copy_layer(
     let mut d = Device::builder("extract");
     collect(&device, layer, new_layer, &mut d)?;
     d.build()
+}
+
+/// Refuses hierarchies that are too large to be drawn flat.
+fn check_size(check: Check<'_>, device: &Device) -> Result<()> {
+    const MOST_POINTS: usize = 1_000_000_000;
+    check.at_most("number of points of D, drawn flat", device.flat_counts()?.1, MOST_POINTS)
 }
 
 fn collect(device: &Device, from: Layer, to: Layer, into: &mut DeviceBuilder) -> Result<()> {

@@ -1,7 +1,7 @@
-//! [`ports_to_geometry`] and [`geometry_to_ports`]: ports as something that a file can hold.
+//! [`ports_to_geometry`] and [`geometry_to_ports`]: ports drawn as polygons and labels, which a GDSII file can hold.
 //!
 //! A port becomes a triangle, for people, and a label with its name, width and orientation as JSON, from which it comes
-//! back. Its place comes back from the label's, so the triangle can be missing.
+//! back. Its position is that of the label, so the triangle can be missing.
 
 use phidl_core::prelude::*;
 use phidl_core::scene::Anchor;

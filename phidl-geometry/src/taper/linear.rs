@@ -1,12 +1,12 @@
-//! Widths that change evenly: [`taper`] on both sides of a line, [`ramp`] on one.
+//! Linear changes of width: [`taper`] on both sides of a line, [`ramp`] on one.
 
 use phidl_core::prelude::*;
 use phidl_macros::device;
 
-/// Width of a taper that nothing else decides (µm).
+/// Width of a taper without `width1` and `port` (µm).
 const DEFAULT_WIDTH: f64 = 5.0;
 
-/// Draws a straight piece of wire that changes its width evenly.
+/// Draws a straight wire whose width changes linearly.
 ///
 /// It lies along x, from (0, 0) to (`length`, 0), symmetric about the axis.
 ///
@@ -64,7 +64,7 @@ pub fn taper(
     d.build()
 }
 
-/// Draws a piece of wire with a flat lower edge whose width changes evenly.
+/// Draws a straight wire with a flat lower edge whose width changes linearly.
 ///
 /// It lies along x, with its lower edge from (0, 0) to (`length`, 0).
 ///

@@ -1,26 +1,26 @@
 //! [`Microstrip`]: impedance and velocity of a thin strip over a ground plane, with kinetic inductance.
 //!
 //! The formulas are those of Hammerstad and Jensen for a strip without thickness, at low frequency, to which a kinetic
-//! inductance per square is added. They are explicit in the width; the width of a given impedance is found by a
-//! bracketing root search, not by the minimum of a squared error, which has no sharp end (see [`Microstrip::width_for`]).
+//! inductance per square is added. They are explicit in the width. The width of a given impedance is found by a
+//! bracketing root search. Minimizing a squared error was rejected: a minimum has no sharp end.
 
 use phidl_core::prelude::*;
 use roots::{SimpleConvergency, find_root_brent};
 
-/// Impedance of free space (Ω), as the published formulas round it.
+/// Impedance of free space (Ω), rounded as in the published formulas.
 const FREE_SPACE: f64 = 376.73;
 /// Permittivity (F/m) and permeability (H/m) of free space, rounded as PHIDL does.
 const EPS_0: f64 = 8.854e-12;
 const MU_0: f64 = 4.0 * PI * 1e-7;
 /// Meters in a micrometer.
 const METERS: f64 = 1e-6;
-/// Widths are looked for between these multiples of the thickness of the dielectric.
+/// Range of the width search, in thicknesses of the dielectric.
 const NARROWEST: f64 = 1e-6;
 const WIDEST: f64 = 1e6;
-/// Where the search for the logarithm of a width ends: the width is then right to this part of itself.
+/// Tolerance of the search for the logarithm of a width: the relative error of the width.
 const WIDTH_TOLERANCE: f64 = 1e-14;
 
-/// A kind of line: a strip of any width on a dielectric over a ground plane.
+/// A microstrip technology: dielectric over a ground plane and film on top. Methods take the width of a strip.
 ///
 /// ```
 /// # use phidl_core::prelude::*;
@@ -53,7 +53,7 @@ impl Microstrip {
         Ok(Self { thickness, eps_r, lk_per_sq })
     }
 
-    /// Relative permittivity of a uniform medium that would slow the wave down as much, for a strip width in µm.
+    /// Effective relative permittivity of a strip of this width (µm).
     #[must_use]
     pub fn effective_permittivity(&self, width: f64) -> f64 {
         let u = width / self.thickness;
@@ -98,13 +98,12 @@ impl Microstrip {
         1.0 / (self.inductance(width) * self.capacitance(width)).sqrt()
     }
 
-    /// Width (µm) of the strip with this impedance (Ω), to 1e-12 of itself.
+    /// Width (µm) of the strip with this impedance (Ω), with a relative error below 1e-12.
     ///
-    /// The impedance falls steadily with the width, so there is one such strip.
+    /// The impedance falls monotonically with the width, so the strip is unique.
     ///
     /// # Errors
-    /// [`Error::Invalid`] unless the strip is between a millionth of the thickness of the dielectric and a million times as
-    /// wide.
+    /// The width must be between a millionth and a million thicknesses of the dielectric.
     pub fn width_for(&self, impedance: f64) -> Result<f64> {
         let (narrow, wide) = (NARROWEST * self.thickness, WIDEST * self.thickness);
         let (highest, lowest) = (self.impedance(narrow), self.impedance(wide));

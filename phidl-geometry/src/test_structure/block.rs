@@ -1,4 +1,4 @@
-//! Rectangles with a known first corner, the material of meanders.
+//! Rectangles with a known first corner: the parts of meanders.
 
 use phidl_core::num::angle;
 use phidl_core::prelude::*;

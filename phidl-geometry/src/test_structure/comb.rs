@@ -5,11 +5,11 @@ use phidl_macros::device;
 
 use super::block::{Block, add_blocks, block, turned_bar};
 
-/// So many passes a meander has at the most.
+/// Largest number of passes of a meander.
 const MOST_PASSES: f64 = 1e6;
 
-/// Draws a meander with a comb between its wires, over a second meander on another layer: whatever conducts between the
-/// pads is a fault, in the layer or between the layers.
+/// Draws a meander with a comb between its wires, over a second meander on another layer. A current between two pads shows a
+/// short within the layer or between the layers.
 ///
 /// ```text
 ///              ┌──────────┐
@@ -23,8 +23,8 @@ const MOST_PASSES: f64 = 1e6;
 ///              └──────────┘
 /// ```
 ///
-/// The left pad begins at x = 0. Pads lie `pad_size.height / 5` apart, so pads more than twice as high as wide have
-/// fingers beside the top pad, which belong to nothing.
+/// The left pad begins at x = 0. The distance between pads is `pad_size.height / 5`. If pads are more than twice as high as
+/// wide, some fingers lie beside the top pad and are not connected.
 ///
 /// # Ports
 /// None.
@@ -73,7 +73,7 @@ pub fn test_comb(
     #[default(4)]
     overlap_pad_layer: Layers,
 ) -> Result<Device> {
-    let plan = Plan { check, px: pad_size.width, py: pad_size.height, width: wire_width, gap: wire_gap };
+    let plan = CombLayout { check, px: pad_size.width, py: pad_size.height, width: wire_width, gap: wire_gap };
     let (meander, tail) = plan.first_meander()?;
     let second = plan.second_meander(tail)?;
 
@@ -91,7 +91,7 @@ pub fn test_comb(
 
 /// The measures of a structure (µm), and what follows from them.
 #[derive(Debug, Clone, Copy)]
-struct Plan<'a> {
+struct CombLayout<'a> {
     check: Check<'a>,
     px: f64,
     py: f64,
@@ -99,7 +99,7 @@ struct Plan<'a> {
     gap: f64,
 }
 
-impl Plan<'_> {
+impl CombLayout<'_> {
     /// From one wire of a meander to the next, edge to edge: room for a finger of the comb.
     fn spacing(&self) -> f64 {
         self.width + 2.0 * self.gap
@@ -150,7 +150,7 @@ impl Plan<'_> {
         let (w, spacing, (low, high)) = (self.width, self.spacing(), self.rows());
         let end = 1.45 * self.px + 0.4 * self.py;
         let passes = (end - 1.25 * self.px) / (w + spacing);
-        self.check.at_most("passes of the meander", passes, MOST_PASSES)?;
+        self.check.at_most("number of passes of the meander", passes, MOST_PASSES)?;
 
         let mut x = 1.25 * self.px + self.head();
         let mut blocks = vec![block(1.25 * self.px, high - w, x, high), block(x, high - w, x + w, high)];
@@ -190,7 +190,7 @@ impl Plan<'_> {
         let (w, spacing, (_, high)) = (self.width, self.spacing(), self.rows());
         let tenth = 0.1 * self.py;
         self.check.at_most("wire_width", w, ("a tenth of pad_size.height", tenth))?;
-        self.check.at_most("passes of the meander", (high - tenth) / (w + spacing), MOST_PASSES)?;
+        self.check.at_most("number of passes of the meander", (high - tenth) / (w + spacing), MOST_PASSES)?;
         let right = tail - (spacing + w) / 2.0 - w;
         // Positive: the first meander makes at least one pass, which moves `right` out by more than is taken off here.
         let length = right - (2.5 * self.px + self.head() + w) / 2.0;
@@ -220,7 +220,8 @@ impl Plan<'_> {
 mod tests {
     use super::*;
 
-    const PLAN: Plan<'_> = Plan { check: Check::new("test_comb"), px: 200.0, py: 200.0, width: 1.0, gap: 3.0 };
+    const PLAN: CombLayout<'_> =
+        CombLayout { check: Check::new("test_comb"), px: 200.0, py: 200.0, width: 1.0, gap: 3.0 };
 
     fn boxes(blocks: &[Block]) -> Vec<Rect> {
         blocks.iter().map(|b| Rect::around(*b).unwrap()).collect()

@@ -11,7 +11,7 @@ const COVERED: f64 = 0.9;
 /// From one wire to the next, in widths of a pad.
 const PITCH: f64 = 1.2;
 
-/// Draws a row of wires with a narrow place between a common pad and one pad for each, to measure critical currents.
+/// Draws a row of wires with a constriction, between a common pad and one pad for each, to measure critical currents.
 ///
 /// ```text
 ///   ┌─────┐ ┌─────┐ ┌─────┐
@@ -25,7 +25,7 @@ const PITCH: f64 = 1.2;
 ///   └─────────────────────────┘
 /// ```
 ///
-/// The common pad has its lower left corner at the origin. The narrow places are four quarters each, drawn by
+/// The common pad has its lower left corner at the origin. Each constriction consists of four quarters, drawn by
 /// [`optimal_step`](fn@crate::optimal_step). Pads are covered, except for a margin, on `pad_layer` and `gnd_layer`.
 ///
 /// # Ports
@@ -35,8 +35,10 @@ const PITCH: f64 = 1.2;
 /// The two lists of widths must be equally long, and no wire narrower at its pads than in the middle.
 ///
 /// # Numerics
-/// The narrow place is as long as its curves are: about 6.6 times the wide width where the widths are a factor of 3 apart.
-/// If that is more than `pad_gap`, it runs into the pads.
+/// All parts are polygons of one cell with equal coordinates where they meet, so that no grid opens a gap between them.
+///
+/// The length of a constriction follows from its curves: about 6.6 times the wide width for a ratio of widths of 3. If it
+/// is longer than `pad_gap`, it runs into the pads.
 ///
 /// # Examples
 /// ```
@@ -97,13 +99,14 @@ pub fn test_ic(
             d.add(part.moved_by(middle));
         }
     }
+    d.flatten()?;
     d.build()
 }
 
 fn check_widths(check: Check<'_>, narrow: &[f64], wide: &[f64]) -> Result<()> {
     check.that("wire_widths", "empty", !narrow.is_empty(), "name at least one width")?;
-    let lengths = format!("{} against {} numbers", wide.len(), narrow.len());
-    check.that("wire_widths_wide", lengths, narrow.len() == wide.len(), "be as long as wire_widths")?;
+    let rule = format!("be {}, the number of wire_widths", narrow.len());
+    check.that("number of wire_widths_wide", wide.len(), narrow.len() == wide.len(), &rule)?;
     for (i, (narrow, wide)) in narrow.iter().zip(wide).enumerate() {
         let name = format!("wire_widths[{i}]");
         check.at_least(&format!("wire_widths_wide[{i}]"), *wide, (name.as_str(), *narrow))?;
@@ -111,7 +114,7 @@ fn check_widths(check: Check<'_>, narrow: &[f64], wide: &[f64]) -> Result<()> {
     Ok(())
 }
 
-/// A wire upright around the origin, `gap` long: the narrow place and a lead on either side.
+/// A wire along y around the origin, `gap` long: the constriction and a lead on either side.
 fn wire(narrow: f64, wide: f64, gap: f64, layer: &Layers) -> Result<[Reference; 3]> {
     let (constriction, half_length) = constriction(narrow, wide, layer)?;
     // Below zero if the constriction is longer than the gap: such leads lie on it.
@@ -147,7 +150,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_constriction_is_as_long_and_as_wide_as_the_specification_has_it() {
+    fn a_constriction_is_as_long_and_as_wide_as_specified() {
         let (d, half_length) = constriction(0.25, 0.75, &0.into()).unwrap();
         // The specification names the box (-1.98219460, -0.375)–(2.95046576, 0.375), about another origin.
         assert!((2.0 * half_length - (2.950_465_76 + 1.982_194_60)).abs() < 1e-7);
@@ -164,7 +167,7 @@ mod tests {
     }
 
     #[test]
-    fn widths_that_make_no_narrow_place_are_refused() {
+    fn widths_without_a_constriction_are_refused() {
         let ic = |narrow: &[f64], wide: &[f64]| {
             let params = TestIcParams::default().wire_widths(narrow.to_vec()).wire_widths_wide(wide.to_vec());
             params.build().unwrap_err().to_string()
@@ -175,7 +178,7 @@ mod tests {
         );
         assert_eq!(
             ic(&[1.0, 2.0], &[3.0]),
-            "test_ic: wire_widths_wide is 1 against 2 numbers, but it must be as long as wire_widths"
+            "test_ic: number of wire_widths_wide is 1, but it must be 2, the number of wire_widths"
         );
         assert!(ic(&[], &[]).contains("at least one"));
     }

@@ -1,7 +1,7 @@
 //! Electrical test structures: vias, insulation, critical current, resistance.
 //!
-//! They have no ports, like their models: probes land on the pads. All positions come from the parameters and never
-//! from what is drawn, so that a structure with a layer left out keeps the rest in its place.
+//! They have no ports: probes land on the pads. All positions follow from the parameters and not from drawn polygons, so
+//! that leaving out a layer moves nothing.
 
 mod block;
 mod comb;

@@ -7,7 +7,7 @@ use super::block::{Block, add_blocks, block};
 
 /// How far the ground stays inside the pad (µm).
 const GROUND_INSET: f64 = 5.0;
-/// So many rows a wire has at the most.
+/// Largest number of rows of a wire.
 const MOST_ROWS: f64 = 1e6;
 
 /// Draws a meandering wire of a number of squares between two pads, to measure a sheet resistance.
@@ -21,7 +21,7 @@ const MOST_ROWS: f64 = 1e6;
 /// ```
 ///
 /// The wire has its first square at the origin's left and fills the height of the pads as well as it can: rows of one
-/// length, one width apart, one above the other. A corner counts as one square.
+/// length with gaps of one width, one above the other. A corner counts as one square.
 ///
 /// # Ports
 /// None.
@@ -39,7 +39,7 @@ const MOST_ROWS: f64 = 1e6;
 /// # use phidl_core::prelude::*;
 /// # use phidl_geometry as pg;
 /// let wire = pg::TestResParams::default().num_squares(2000).build()?;
-/// // The wire is the only thing on layer 0 and a micrometer wide; where two blocks meet, none overlaps.
+/// // Only the wire is on layer 0. It is 1 µm wide and its blocks do not overlap, so its area is its number of squares.
 /// assert!((wire.area_by_layer()[&0.into()] - 2000.0).abs() < 1e-6);
 /// # Ok::<(), Error>(())
 /// ```
@@ -71,7 +71,7 @@ pub fn test_res(
     gnd_layer: Layers,
 ) -> Result<Device> {
     check.at_most("width", width, ("pad_size.height", pad_size.height))?;
-    check.at_most("rows of the wire", pad_size.height / (2.0 * width), MOST_ROWS)?;
+    check.at_most("number of rows", pad_size.height / (2.0 * width), MOST_ROWS)?;
     let meander = Meander::new(pad_size.height, num_squares, width);
     let enough = meander.rows >= 1.0 && meander.row > 0.0;
     check.that("num_squares", num_squares, enough, "suffice for a wire between the pads")?;
@@ -88,7 +88,7 @@ pub fn test_res(
     d.build()
 }
 
-/// Upper right, upper left, lower left, lower right: the ground runs the other way round.
+/// Upper right, upper left, lower left, lower right: counter-clockwise, unlike the other blocks.
 fn ground(x0: f64, x1: f64, pad_height: f64) -> Block {
     let (y0, y1) = (GROUND_INSET, pad_height - GROUND_INSET);
     [(x1, y1), (x0, y1), (x0, y0), (x1, y0)].map(Point::from)

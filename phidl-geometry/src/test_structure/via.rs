@@ -32,7 +32,8 @@ const BELOW_PAD_TOP: f64 = 5.0;
 /// # Numerics
 /// `min_pad_spacing` is compared with an estimate of what the chain takes, and lengthens the wire behind it where that is
 /// shorter. Where it is not, this wire is drawn twice on `wiring1_layer` and not on `pad_layer`. Links turn exactly over
-/// their vias only if `via_spacing` is four times `wire_width`.
+/// their vias only if `via_spacing` is four times `wire_width`. All parts are polygons of one cell, so that no grid opens a gap
+/// between them.
 ///
 /// # Examples
 /// ```
@@ -84,42 +85,65 @@ pub fn test_via(
     #[default(3)]
     via_layer: Layers,
 ) -> Result<Device> {
-    let chain = Chain { wire_width, via_width, via_spacing, pad_height: pad_size.height };
-    let pads = [&pad_layer, &wiring1_layer];
-    let wire_y = pad_size.height - BELOW_PAD_TOP - wire_width / 2.0;
-    let nub = Point::new(pad_size.width + 1.5 * wire_width, wire_y);
-    let head = Point::new(pad_size.width + 3.5 * wire_width, wire_y);
-
-    let mut d = Device::builder("test_via");
-    for layer in pads {
-        d.add(pad(pad_size, layer)?);
-        d.add(chain.wire(3.0 * wire_width, layer)?.moved_by(nub));
-        d.add(chain.wire(wire_width, layer)?.moved_by(head));
-    }
-    let link = chain.link(&wiring1_layer, &wiring2_layer, &via_layer)?;
-    let run = chain.run(&link, chain.wire(wire_width, &wiring1_layer)?.moved_by(head), num_vias / 2)?;
-    for link in run.links {
-        d.add(link);
-    }
-
-    let missing = min_pad_spacing - run.used;
-    let (length, layers) = match missing > 3.0 * wire_width {
-        true => (missing + wire_width, pads),
-        false => (3.0 * wire_width, [&wiring1_layer; 2]),
+    let params = TestViaParams {
+        num_vias,
+        wire_width,
+        via_width,
+        via_spacing,
+        pad_size,
+        min_pad_spacing,
+        pad_layer,
+        wiring1_layer,
+        wiring2_layer,
+        via_layer,
     };
-    let mut right = f64::NEG_INFINITY;
-    for layer in layers {
-        let mut tail = chain.wire(length, layer)?;
-        tail.connect_overlapping("W", &run.end, wire_width)?;
-        // Its ports are on all four edges; a chain that had no room to turn may end to the left.
-        right = tail.ports().map(|port| port.midpoint().x).fold(right, f64::max);
-        d.add(tail);
-    }
-    for layer in pads {
-        d.add(pad(pad_size, layer)?.moved_by((right, 0)));
-    }
-    d.info("num_vias", num_vias / 2 * 2);
+    let mut d = params.assembled()?;
+    d.flatten()?;
     d.build()
+}
+
+impl TestViaParams {
+    /// Pads, wires and links, as references.
+    fn assembled(&self) -> Result<DeviceBuilder> {
+        let &Self { num_vias, wire_width, via_width, via_spacing, pad_size, min_pad_spacing, .. } = self;
+        let Self { pad_layer, wiring1_layer, wiring2_layer, via_layer, .. } = self;
+        let chain = Chain { wire_width, via_width, via_spacing, pad_height: pad_size.height };
+        let pads = [pad_layer, wiring1_layer];
+        let wire_y = pad_size.height - BELOW_PAD_TOP - wire_width / 2.0;
+        let nub = Point::new(pad_size.width + 1.5 * wire_width, wire_y);
+        let head = Point::new(pad_size.width + 3.5 * wire_width, wire_y);
+
+        let mut d = Device::builder("test_via");
+        for layer in pads {
+            d.add(pad(pad_size, layer)?);
+            d.add(chain.wire(3.0 * wire_width, layer)?.moved_by(nub));
+            d.add(chain.wire(wire_width, layer)?.moved_by(head));
+        }
+        let link = chain.link(wiring1_layer, wiring2_layer, via_layer)?;
+        let run = chain.run(&link, chain.wire(wire_width, wiring1_layer)?.moved_by(head), num_vias / 2)?;
+        for link in run.links {
+            d.add(link);
+        }
+
+        let missing = min_pad_spacing - run.used;
+        let (length, layers) = match missing > 3.0 * wire_width {
+            true => (missing + wire_width, pads),
+            false => (3.0 * wire_width, [wiring1_layer; 2]),
+        };
+        let mut right = f64::NEG_INFINITY;
+        for layer in layers {
+            let mut tail = chain.wire(length, layer)?;
+            tail.connect_overlapping("W", &run.end, wire_width)?;
+            // Its ports are on all four edges; a chain that had no room to turn may end to the left.
+            right = tail.ports().map(|port| port.midpoint().x).fold(right, f64::max);
+            d.add(tail);
+        }
+        for layer in pads {
+            d.add(pad(pad_size, layer)?.moved_by((right, 0)));
+        }
+        d.info("num_vias", num_vias / 2 * 2);
+        Ok(d)
+    }
 }
 
 fn pad(size: Size, layer: &Layers) -> Result<Reference> {
@@ -145,7 +169,7 @@ struct Run {
 }
 
 impl Chain {
-    /// A level piece of wire around the origin.
+    /// A wire along x around the origin.
     fn wire(&self, length: f64, layer: &Layers) -> Result<Reference> {
         Ok(compass((length, self.wire_width), layer)?.place())
     }
@@ -224,11 +248,11 @@ mod tests {
 
     #[test]
     fn ten_vias_run_down_sideways_up_and_down_again() {
-        let d = TestViaParams::default().num_vias(10).pad_size((100, 100)).build().unwrap();
+        let d = TestViaParams::default().num_vias(10).pad_size((100, 100)).assembled().unwrap().build().unwrap();
         let links = d.references().iter().filter(|r| r.device().name() == "test_via_iter");
-        let places: Vec<(Point, f64)> = links.map(|r| (r.transform().origin, r.transform().rotation)).collect();
+        let placed: Vec<(Point, f64)> = links.map(|r| (r.transform().origin, r.transform().rotation)).collect();
         let expected = [(135, 45, 270), (180, 30, 0), (195, 75, 90), (240, 90, 0), (255, 45, 270)];
-        assert_eq!(places, expected.map(|(x, y, turn)| (Point::from((x, y)), f64::from(turn))));
+        assert_eq!(placed, expected.map(|(x, y, turn)| (Point::from((x, y)), f64::from(turn))));
     }
 
     #[test]

@@ -7,18 +7,25 @@
 //! a sliver of any mask, kerned text has few repeats, and one flat cell can be offset, inverted or bridged at once.
 
 pub mod deplof;
+mod face;
+#[cfg(feature = "fonts")]
 mod font;
 mod layout;
+mod pen;
 
 use phidl_core::prelude::*;
 use phidl_macros::{Choice, device};
 
-use font::Face;
+use face::Face;
+use pen::Pen;
 
 /// The smallest tolerance, in sizes: some thousand corners to a curve.
 const FINEST: f64 = 1e-8;
 
-/// Where the lines of a [`text()`] are put.
+/// Largest length of a text (bytes).
+const MOST_TEXT: usize = 1_000_000;
+
+/// Alignment of the lines of a [`text()`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Choice)]
 pub enum Justify {
     /// The pen of every line starts at x = 0.
@@ -48,25 +55,26 @@ pub enum Justify {
 /// |---|---|---|
 /// | `font` | `DEPLOF`, in any case | the path of a font file, or the name of a font of the system |
 /// | `size` | height of capitals | the ascender of the font |
-/// | line pitch | 1.5 sizes | as the font has it (ascender, descender and line gap) |
-/// | characters | ASCII and µ, see [`deplof`] | what the font has; its own box for what it has not |
+/// | line pitch | 1.5 sizes | ascender, descender and line gap of the font |
+/// | characters | ASCII and µ, see [`deplof`] | those of the font; its replacement box for others |
 /// | spacing | the table of [`deplof`] | shaping and kerning by the font, right-to-left scripts too |
 ///
-/// A file is taken if there is one at this path; otherwise the name is looked up among the fonts of the system (a
-/// family, such as `DejaVu Sans`, or a PostScript name, such as `DejaVuSans-Bold`). Of a file with several fonts the first
-/// is taken, of a variable font the default. System fonts differ from machine to
-/// machine, so a mask that must not change names a file. Like all parameters, the path is the key of the cache: in one
-/// run, a file is drawn as it was at first.
+/// Fonts other than DEPLOF need the feature `fonts` of this crate, which is on by default.
 ///
-/// Since right and center look at the ink, spaces at the end of a line do nothing there; in DEPLOF at the left, the ink
-/// starts at the indent of the first glyph. A negative size turns the text by 180°.
+/// `font` is first tried as the path of a file, then as a name among the fonts of the system: a family, such as
+/// `DejaVu Sans`, or a PostScript name, such as `DejaVuSans-Bold`. A file with several fonts gives the first one, a variable
+/// font its default instance. System fonts differ between machines: a mask that must not change names a file. The cache
+/// knows the path only: a file that changes during a run is not read again.
+///
+/// Right and center align the ink: spaces at the end of a line have no effect. At the left, the ink of DEPLOF starts at the
+/// indent of the first glyph. A negative size turns the text by 180°.
 ///
 /// # Ports
 /// None.
 ///
 /// # Errors
-/// A size of zero. A character that DEPLOF does not have. A font that is neither a file nor installed, with what was
-/// tried, or that cannot be read. With `stencil`, a glyph whose counters leave no room for a bridge.
+/// A size of zero. A character missing in DEPLOF. A font that is neither a file nor installed, or that cannot be read.
+/// A text of more than a million bytes or ten million points. With `stencil`, a glyph whose counters leave no room for a bridge.
 ///
 /// # Numerics
 /// DEPLOF is drawn from whole thousandths of `size`. Outline fonts are scaled from their unhinted design; a curve is cut
@@ -89,7 +97,7 @@ pub enum Justify {
 /// Own design, compatible with PHIDL's `text` in parameters and DEPLOF's metrics; the letters are our own.
 #[device(picture = "docs/text.svg")]
 pub fn text(
-    /// What is written; `\n` starts a new line.
+    /// The text; `\n` starts a new line.
     #[default("abcd")]
     text: String,
     /// Height of capitals, or of the ascender of an outline font; a negative one turns the text by 180°.
@@ -116,12 +124,13 @@ pub fn text(
     stencil: Option<f64>,
 ) -> Result<Device> {
     check.that("size", format_args!("{size} µm"), size != 0.0, "not be 0")?;
-    check.at_least("tolerance", tolerance, ("a part of size", FINEST * size.abs()))?;
+    check.at_least("tolerance", tolerance, ("10⁻⁸ of the size", FINEST * size.abs()))?;
+    check.at_most("number of bytes of text", text.len(), MOST_TEXT)?;
     let face = Face::find(check, &font)?;
-    let pen = layout::Pen { size, tolerance, stencil };
+    let pen = Pen { check, size, tolerance, stencil };
 
     let mut d = Device::builder("text");
-    for outline in layout::set(check, &text, &face, &pen, justify)? {
+    for outline in layout::set(&text, &face, &pen, justify)? {
         d.add_polygon(outline, &layer)?;
     }
     d.build()

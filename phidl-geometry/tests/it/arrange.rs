@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use pg::arrange::{DeviceList, EdgeX, EdgeY, GridShape, Sweep};
+use pg::arrange::{EdgeX, EdgeY, GridCells, GridShape, Sweep};
 use phidl_core::prelude::*;
 use phidl_core::registry;
 use phidl_geometry as pg;
@@ -106,7 +106,7 @@ fn grids_have_the_hashes_of_the_reference() {
 #[test]
 fn the_own_test_of_the_reference_has_its_hash() {
     let pairs = [1, 6, 9].into_iter().flat_map(|a| [1, 2, 4, 8].map(|b| (a, b)));
-    let tapers: DeviceList = pairs.map(|(a, b)| pg::taper(10, a, b, 0).unwrap()).collect();
+    let tapers: GridCells = pairs.map(|(a, b)| pg::taper(10, a, b, 0).unwrap()).collect();
     let grid = pg::GridParams::new(tapers).spacing((5, 1)).shape((3, 4)).build().unwrap();
     assert_eq!(hash(&grid), "9228ee40016e508f5589effd50056df633357de2");
 }
@@ -138,7 +138,7 @@ fn lists_and_shapes_that_make_no_grid_are_refused() {
     assert!(refused(pg::GridParams::new(Vec::<Device>::new())).contains("device_list is empty"));
     assert!(refused(pg::GridParams::new(Vec::<Vec<Device>>::new())).contains("device_list is empty"));
     let ragged = refused(pg::GridParams::new(vec![five(), five()[..2].to_vec()]));
-    assert_eq!(ragged, "grid: device_list[1] is 2, but it must be 5 cells long, as row 0 is");
+    assert_eq!(ragged, "grid: number of cells in device_list[1] is 2, but it must be 5, as in device_list[0]");
     assert!(refused(pg::GridParams::new(five()).spacing(f64::NAN)).contains("finite"));
     let json = r#"{"device_list": [{"device": "circle"}, null, "rectangle"], "spacing": 3, "align_y": "ymax"}"#;
     let grid = registry::find("grid").unwrap().build(&serde_json::from_str(json).unwrap()).unwrap();

@@ -135,3 +135,16 @@ fn every_shape_has_a_figure_that_markdown_can_hold() {
         }
     });
 }
+
+/// The front page of the crate shows every shape with its picture.
+#[test]
+fn the_front_page_lists_every_shape_with_its_picture() {
+    let page = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("src/lib.rs")).unwrap();
+    for_every_shape(|entry, missing| {
+        let picture = format!("include_str!(\"../docs/{}.svg\")", entry.name);
+        let link = format!("[`{}`]", entry.name).to_lowercase();
+        if !page.contains(&picture) || !page.to_lowercase().contains(&link) {
+            missing.push(format!("{}: not on the front page", entry.name));
+        }
+    });
+}

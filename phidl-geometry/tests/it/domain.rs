@@ -2,37 +2,20 @@
 
 use phidl_core::geom::signed_area;
 use phidl_core::prelude::*;
-use phidl_core::registry;
-use phidl_core::runtime::GeneratorInfo;
 use proptest::prelude::*;
-use testkit::domain::{params, search};
 use testkit::golden::merged_area;
 
-/// How far a port may be from the edge that it sits on (µm).
+use crate::random::{for_every_drawing, shapes};
+
+/// Random parameter sets for each shape.
+const CASES: u32 = 32;
+/// Largest distance of a port from the nearest edge (µm).
 const PORT_TOLERANCE: f64 = 1e-6;
-
-/// The shapes that can be drawn without other devices; what takes devices has tests of its own.
-fn shapes() -> impl Iterator<Item = &'static GeneratorInfo> {
-    registry::all().filter(|entry| entry.module.starts_with("phidl_geometry") && params(entry).is_some())
-}
-
-/// Draws a shape with random parameters; a refusal is as good as a drawing, a panic is not.
-fn for_every_drawing(entry: &'static GeneratorInfo, law: impl Fn(&Device) -> Result<(), TestCaseError>) {
-    let mut runner = search(32);
-    let values = params(entry).expect("only shapes with such parameters are taken");
-    let outcome = runner.run(&values, |params| match entry.build(&params) {
-        Ok(device) => law(&device),
-        Err(_) => Ok(()),
-    });
-    if let Err(failure) = outcome {
-        panic!("{}: {failure}", entry.name);
-    }
-}
 
 #[test]
 fn what_is_drawn_can_be_measured() {
     for entry in shapes() {
-        for_every_drawing(entry, |device| {
+        for_every_drawing(entry, CASES, |_, device| {
             let finite = device.flat_polygons().flat_map(|p| p.points().collect::<Vec<_>>()).all(Point::is_finite);
             prop_assert!(finite && device.ports().all(|port| port.width() >= 0.0));
             prop_assert!(device.area() >= 0.0 && device.hash_geometry(1e-4).is_ok());
@@ -44,7 +27,7 @@ fn what_is_drawn_can_be_measured() {
 #[test]
 fn ports_lie_on_the_edge_of_what_is_drawn() {
     for entry in shapes() {
-        for_every_drawing(entry, |device| {
+        for_every_drawing(entry, CASES, |_, device| {
             let outlines: Vec<Vec<Point>> = device.flat_polygons().map(|p| p.points().collect()).collect();
             for port in device.ports().filter(|_| !outlines.is_empty()) {
                 let size = device.bbox().map_or(1.0, |b| 1.0 + b.max.norm().max(b.min.norm()));
@@ -60,7 +43,7 @@ fn ports_lie_on_the_edge_of_what_is_drawn() {
 #[test]
 fn no_outline_crosses_itself() {
     for entry in shapes().filter(|entry| entry.name != "polygon_ports") {
-        for_every_drawing(entry, |device| {
+        for_every_drawing(entry, CASES, |_, device| {
             for polygon in device.flat_polygons() {
                 let points: Vec<Point> = polygon.points().collect();
                 let (drawn, covered) = (signed_area(&points).abs(), merged_area(std::slice::from_ref(&points)));

@@ -87,23 +87,50 @@ fn a_square_takes_its_cells_and_those_nearer_than_the_margin() {
 #[test]
 fn cells_are_drawn_as_the_specification_has_them() {
     let cell = |fill: &Device| fill.references()[0].device().clone();
-    let two = square().fill_layers([Layer::new(7, 0), Layer::new(8, 2)]).fill_densities([0.25, 1.0]).build().unwrap();
+    let two = square().fill_layers([Layer::new(7, 0), Layer::new(8, 2)]).fill_densities([0.25, 0.81]).build().unwrap();
     assert_eq!((two.name(), cell(&two).name()), ("fill_pattern", "fillcell"));
     let boxes: Vec<(Layer, Rect)> = cell(&two).flat_polygons().map(|p| (p.layer.unwrap(), p.bbox().unwrap())).collect();
-    let expected = [(7, 0, 1.25), (8, 2, 2.5)].map(|(l, d, r)| (Layer::new(l, d), Rect::new((-r, -r), (r, r))));
+    let expected = [(7, 0, 1.25), (8, 2, 2.25)].map(|(l, d, r)| (Layer::new(l, d), Rect::new((-r, -r), (r, r))));
     assert_eq!(boxes, expected);
-    let frame = square().fill_densities(0.25).fill_inverted(true).build().unwrap();
-    let frame = cell(&frame);
-    let outline = frame.polygons().next().unwrap();
-    assert_eq!(
-        (outline.points.len(), outline.points[0], outline.points[3]),
-        (11, (2.5, 2.5).into(), (-1.25, -1.25).into())
-    );
+}
+
+/// Cells that touch are polygons with shared corners, so that no rounding parts them.
+#[test]
+fn cells_that_touch_are_drawn_with_shared_corners() {
+    let frames = square().fill_densities(0.25).fill_inverted(true).build().unwrap();
+    assert!(frames.references().is_empty());
+    let outline = frames.polygons().next().unwrap();
+    let (middle, first) = (Rect::around(outline.points.to_vec()).unwrap().center(), outline.points[0]);
+    assert_eq!(outline.points.len(), 11);
+    assert_eq!((first - middle, outline.points[3] - middle), ((2.5, 2.5).into(), (-1.25, -1.25).into()));
     assert!((outline.area() - 25.0 * 0.75).abs() < 1e-12);
+    let full = square().avoid_layers(77).build().unwrap();
+    assert_eq!((full.references().len(), full.polygons().len()), (0, 100));
+}
+
+#[test]
+fn a_cell_of_your_own_fills_a_region() {
+    let mut region = Device::builder("region");
+    // Two halves of one region: cells over their common edge lie inside.
+    region.add(pg::rectangle((17, 30), 0).unwrap().place().moved_by((0, 5)));
+    region.add(pg::rectangle((13, 30), 0).unwrap().place().moved_by((17, 5)));
+    let vent = pg::circle(1, 30, 4).unwrap();
+    let none: [Layer; 0] = [];
+    let params = square().fill_layers(none).fill_densities([0.0; 0]).avoid_layers(0).cell(&vent);
+    let fill = params.clone().inside(region.build().unwrap()).build().unwrap();
+    // 6 × 6 cells of 5 µm, without the four cells of the square in the middle of the box.
+    assert_eq!(fill.flat_polygons().on(4).count(), 6 * 6 - 4);
+    assert!(fill.flat_polygons().all(|vent| vent.bbox().unwrap().center().x < 30.0));
+    let error = params.cell(pg::circle(3, 30, 4).unwrap()).build().unwrap_err().to_string();
+    assert_eq!(
+        error,
+        "fill_rectangle: cell is 6 × 6 µm large, but it must draw something and fit into fill_size, 5 × 5 µm"
+    );
 }
 
 #[test]
 fn free_area_is_filled_with_few_arrays() {
+    let square = || square().fill_densities(0.25);
     let fill = square().margin(5).build().unwrap();
     let below_left_right_above = 4;
     assert_eq!(fill.references().len(), below_left_right_above);
@@ -149,16 +176,19 @@ fn what_cannot_be_filled_is_refused() {
     let message = |params: pg::FillRectangleParams| params.build().unwrap_err().to_string();
     assert_eq!(
         message(square().fill_densities([0.5, 0.5])),
-        "fill_rectangle: fill_densities is 2 long, but it must have one entry for each of the 1 fill layers"
+        "fill_rectangle: number of fill_densities is 2, but it must be 1, one for each fill layer"
     );
-    assert!(message(square().fill_inverted([true, false])).contains("fill_inverted is 2 long"));
+    assert!(
+        message(square().fill_inverted([true, false]))
+            .contains("number of fill_inverted is 2, but it must be 1, one for each fill layer")
+    );
     assert!(message(square().fill_inverted(true)).contains("be less than 1, since the layer is inverted"));
     assert!(message(square().fill_densities(1.5)).contains("fill_densities[0] is 1.5, but it must be at most 1"));
     assert!(message(square().margin((1, -1))).contains("margin[1] is -1 µm"));
     assert!(message(square().fill_size((0, 5))).contains("fill_size.width is 0 µm"));
     assert!(message(square().bbox([(0, 0), (1_000_000, 1_000_000)])).contains("cells in the box"));
     let empty = Device::builder("nothing").build().unwrap();
-    assert!(message(pg::FillRectangleParams::new(empty)).contains("bbox is missing"));
+    assert!(message(pg::FillRectangleParams::new(empty)).contains("bbox is not given"));
     let words = r#"{"D": {"device": "rectangle"}, "avoid_layers": "some"}"#;
     assert!(registry::find("fill_rectangle").unwrap().build(&serde_json::from_str(words).unwrap()).is_err());
 }

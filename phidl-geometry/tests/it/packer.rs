@@ -140,7 +140,7 @@ fn small_cases_end_where_the_reference_ends_apart_from_its_unit_slip() {
     assert!(density(&mixed[0]) >= 190.0 / 300.0 - 1e-9);
     let eight = pg::PackerParams::new(rectangles([(10.0, 10.0); 8])).spacing(1).max_size((25, 25)).bins().unwrap();
     assert_eq!(eight.iter().map(|bin| bin.references().len()).collect::<Vec<_>>(), [4, 4]);
-    let low = pg::arguments::OpenSize { width: None, height: Some(15.0) };
+    let low = pg::arguments::PartialSize { width: None, height: Some(15.0) };
     let five = pg::PackerParams::new(rectangles([(10.0, 10.0); 5])).spacing(0).max_size(low).bins().unwrap();
     assert_eq!((five.len(), five[0].bbox()), (1, Some(Rect::new((0, 0), (50, 10)))));
 }
@@ -207,7 +207,7 @@ proptest! {
         limits in (prop::option::of(24.0..60.0), prop::option::of(24.0..60.0)),
         (sort_by_area, precision) in (any::<bool>(), prop_oneof![Just(0.01), 0.001..0.5]),
     ) {
-        let max_size = pg::arguments::OpenSize { width: limits.0, height: limits.1 };
+        let max_size = pg::arguments::PartialSize { width: limits.0, height: limits.1 };
         let params = pg::PackerParams {
             spacing, aspect_ratio: Size::new(ratio, 1.0), max_size, sort_by_area, density, precision,
             ..pg::PackerParams::new(rectangles(sizes.clone()))

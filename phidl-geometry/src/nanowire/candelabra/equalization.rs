@@ -31,7 +31,10 @@ impl Param for Equalization {
     fn from_value(value: &Value) -> Result<Self, ConversionError> {
         match value {
             Value::Bool(all) => Ok((*all).into()),
-            number => f64::from_value(number).map(Self),
+            number => match number.as_f64() {
+                Some(part) => Ok(Self(part)),
+                None => Err(ConversionError::new(value, "be true, false or a number from 0 to 1")),
+            },
         }
     }
 }

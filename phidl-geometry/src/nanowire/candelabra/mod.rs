@@ -14,9 +14,9 @@ use phidl_macros::device;
 pub use equalization::Equalization;
 use parts::Wire;
 
-/// Draws a meander whose turns stand outside of its rhombic area, so that the rows can be as close as can be.
+/// Draws a meander whose turns lie outside its rhombic area, so that `wire_pitch` may be as small as fabrication allows.
 ///
-/// The rows are `wire_pitch` apart, each as long as the rhombus leaves, the longest in the middle.
+/// The rows have the pitch `wire_pitch` and fill the rhombus, the longest in the middle.
 ///
 /// It is symmetric under half a turn about its center, the origin.
 ///
@@ -29,7 +29,8 @@ use parts::Wire;
 ///
 /// # Numerics
 /// Bends have the 15 points of [`optimal_90deg`](fn@crate::optimal_90deg), or with `xwing` one every 2.5°. The height
-/// follows from the number of rows and is close to `vaxis` only.
+/// follows from the number of rows and is close to `vaxis` only. All parts are polygons of one cell with shared corners, so
+/// that no grid opens a gap between them.
 ///
 /// # Differences from PHIDL
 /// Coordinates of bends are not rounded to 1e-4.
@@ -63,7 +64,7 @@ pub fn snspd_candelabra(
     #[default(50.0)]
     #[param(unit = "um", above = 0.0)]
     vaxis: f64,
-    /// Lengthen the turns so that all rows and turns take the same way: all of the way, or a part of it.
+    /// Lengthen the turns until all paths of a row and its turn are equally long: fully (`true`, 1) or by a factor.
     #[default(false)]
     #[param(min = 0.0, max = 1.0)]
     equalize_path_lengths: Equalization,
@@ -76,10 +77,15 @@ pub fn snspd_candelabra(
 ) -> Result<Device> {
     check.greater("wire_pitch", wire_pitch, ("wire_width", wire_width))?;
     let wire = Wire { width: wire_width, pitch: wire_pitch, layer, xwing };
-    let half = wire.half(check, haxis, vaxis, equalize_path_lengths.0)?;
+    let mut d = assembled(&wire, &wire.half(check, haxis, vaxis, equalize_path_lengths.0)?)?;
+    d.flatten()?;
+    d.build()
+}
 
+/// Both halves of the detector, as references.
+fn assembled(wire: &Wire, half: &Device) -> Result<DeviceBuilder> {
     let mut d = Device::builder("snspd_candelabra");
-    let upper = d.add(&half);
+    let upper = d.add(half);
     let lower = d.add(half.place().rotated(180));
     let (end, other) = (d[upper].port("2")?, d[lower].port("2")?);
     let gap = end.midpoint().x - other.midpoint().x;
@@ -90,7 +96,7 @@ pub fn snspd_candelabra(
     }
     d.add_port("1", d[upper].port("1")?)?;
     d.add_port("2", d[lower].port("1")?)?;
-    d.build()
+    Ok(d)
 }
 
 #[cfg(test)]
@@ -102,8 +108,9 @@ mod tests {
     #[test]
     fn the_default_has_the_rows_of_the_specification() {
         let d = SnspdCandelabraParams::default().build().unwrap();
-        assert_eq!(d.flat_polygons().count(), 401);
-        let half = d.references()[0].device();
+        assert_eq!((d.polygons().len(), d.references().len()), (401, 0));
+        let wire = Wire { width: 0.52, pitch: 0.56, layer: 0.into(), xwing: false };
+        let half = wire.half(SnspdCandelabraParams::entry().check(), 90.0, 50.0, 0.0).unwrap();
         let mut rows: Vec<f64> = half
             .references()
             .iter()

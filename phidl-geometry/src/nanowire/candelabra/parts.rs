@@ -1,4 +1,4 @@
-//! What the detector is made of: straight pieces, bends, and turns of a hairpin on two bends.
+//! Parts of the detector: straight wires, bends, and turns of a hairpin on two bends.
 
 use std::f64::consts::SQRT_2;
 
@@ -27,7 +27,7 @@ pub(super) struct Wire {
     pub(super) xwing: bool,
 }
 
-/// Where a turn has the straight piece that sets its ports one pitch apart.
+/// Position in a turn of the straight wire that sets the distance of its ports to one pitch.
 #[derive(Clone, Copy, PartialEq)]
 enum Pass {
     BeforePin,
@@ -90,7 +90,7 @@ impl Wire {
         .build()
     }
 
-    /// The straight piece that sets the ports of a turn one pitch apart, and its length.
+    /// Position and length of the straight wire that sets the distance of the ports to one pitch.
     fn pass(&self) -> (Pass, f64) {
         if !self.xwing {
             return (Pass::AfterPin, self.pitch);
@@ -131,12 +131,12 @@ impl Wire {
         d.build()
     }
 
-    /// A straight piece along x.
+    /// A straight wire along x.
     pub(super) fn bar(&self, length: f64) -> Result<Reference> {
         Ok(compass((length, self.width), self.layer.clone())?.place())
     }
 
-    /// A straight piece along y.
+    /// A straight wire along y.
     fn upright(&self, length: f64) -> Result<Device> {
         compass((self.width, length), self.layer.clone())
     }

@@ -6,7 +6,7 @@ use super::parts::Wire;
 
 /// More rows than this are taken for a mistake.
 const MOST_ROWS: f64 = 1e5;
-/// A gap that is not filled (µm): the noise of placing things.
+/// Largest gap that is not filled (µm): floating-point noise of placement.
 const SMALLEST_GAP: f64 = 1e-9;
 
 impl Wire {

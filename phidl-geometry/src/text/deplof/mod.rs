@@ -12,7 +12,7 @@
 //! | [`GAP`]: no gap within a glyph is narrower; the bridges are 100 wide | 80 | 0.8 µm |
 //! | [`LINE_PITCH`]: from baseline to baseline | 1500 | 15 µm |
 //! | [`SPACE`]: advance of a space | 500 | 5 µm |
-//! | left indent of most glyphs, which keeps neighbors apart | 100 | 1 µm |
+//! | left indent of most glyphs: the space between letters | 100 | 1 µm |
 //!
 //! Indents, widths, advances and ink boxes are those of the specification; the drawings are our own. All coordinates are
 //! whole units, so a stroke that is neither level, upright nor diagonal may be a unit wider or narrower, and a size of
@@ -23,7 +23,7 @@
 //! reach beyond their advance. Put a space beside these.
 //!
 //! A font file in the repository was the alternative. It would draw letters with counters, or need bridges cut by a
-//! boolean engine, and nobody could review it in a text editor.
+//! boolean engine, and a text editor could not show it for review.
 
 mod stroke;
 mod table;
@@ -32,7 +32,7 @@ use std::sync::LazyLock;
 
 use phidl_core::geom::Point;
 
-use table::{GLYPHS, Piece, Row};
+use table::{GLYPHS, Part, Row};
 
 /// Height of capitals and digits, in units; `size` is this height in micrometers.
 pub const CAP_HEIGHT: f64 = 1000.0;
@@ -57,7 +57,7 @@ pub struct Glyph {
     pub indent: f64,
     /// How far the pen moves beyond the indent.
     pub width: f64,
-    /// What is drawn, with the pen at the origin; clockwise, apart from each other.
+    /// The outlines with the pen at the origin: clockwise, disjoint.
     pub outlines: Vec<Vec<Point>>,
 }
 
@@ -68,16 +68,16 @@ impl Glyph {
         self.indent + self.width
     }
 
-    fn new((character, indent, width, pieces): &Row) -> Self {
-        let outline = |piece: &Piece| match piece {
-            Piece::Strokes(lines) => stroke::outline(lines),
-            Piece::Outline(corners) => corners.iter().copied().map(Point::from).collect(),
+    fn new((character, indent, width, parts): &Row) -> Self {
+        let outline = |part: &Part| match part {
+            Part::Strokes(lines) => stroke::outline(lines),
+            Part::Outline(corners) => corners.iter().copied().map(Point::from).collect(),
         };
         Self {
             character: *character,
             indent: (*indent).into(),
             width: (*width).into(),
-            outlines: pieces.iter().map(outline).collect(),
+            outlines: parts.iter().map(outline).collect(),
         }
     }
 }
@@ -94,7 +94,7 @@ pub fn glyphs() -> &'static [Glyph] {
     &ALL
 }
 
-/// The glyph of a character, if the font has it. The Greek letter μ (U+03BC) is drawn as the micro sign µ (U+00B5).
+/// The glyph of a character in the font. The Greek letter μ (U+03BC) is drawn as the micro sign µ (U+00B5).
 ///
 /// ```
 /// use phidl_geometry::text::deplof;
@@ -104,6 +104,6 @@ pub fn glyphs() -> &'static [Glyph] {
 #[must_use]
 pub fn glyph(character: char) -> Option<&'static Glyph> {
     let character = if character == 'μ' { 'µ' } else { character };
-    let place = glyphs().binary_search_by_key(&character, |glyph| glyph.character).ok()?;
-    Some(&glyphs()[place])
+    let index = glyphs().binary_search_by_key(&character, |glyph| glyph.character).ok()?;
+    Some(&glyphs()[index])
 }

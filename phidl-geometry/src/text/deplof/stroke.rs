@@ -75,10 +75,10 @@ impl Tree {
         self.nodes.len() - 1
     }
 
-    /// Joins two points, and all nodes on the way.
+    /// Joins two points through all nodes between them.
     fn join(&mut self, a: Point, b: Point) {
-        let on_the_way = |p: &Point| (*p - a).cross(b - a) == 0.0 && (*p - a).dot(*p - b) <= 0.0;
-        let mut stops: Vec<usize> = (0..self.nodes.len()).filter(|i| on_the_way(&self.nodes[*i])).collect();
+        let between = |p: &Point| (*p - a).cross(b - a) == 0.0 && (*p - a).dot(*p - b) <= 0.0;
+        let mut stops: Vec<usize> = (0..self.nodes.len()).filter(|i| between(&self.nodes[*i])).collect();
         stops.sort_by(|i, j| a.distance(self.nodes[*i]).total_cmp(&a.distance(self.nodes[*j])));
         for pair in stops.windows(2) {
             self.next[pair[0]].push(pair[1]);

@@ -3,17 +3,17 @@
 use super::stroke::Line;
 
 /// A part of a glyph.
-pub(super) enum Piece {
+pub(super) enum Part {
     /// A tree of center lines.
     Strokes(&'static [&'static Line]),
     /// A closed outline, clockwise.
     Outline(&'static Line),
 }
 
-use Piece::{Outline as O, Strokes as S};
+use Part::{Outline as O, Strokes as S};
 
 /// Character, indent, width, drawing.
-pub(super) type Row = (char, i16, i16, &'static [Piece]);
+pub(super) type Row = (char, i16, i16, &'static [Part]);
 
 #[rustfmt::skip]
 pub(super) const GLYPHS: &[Row] = &[

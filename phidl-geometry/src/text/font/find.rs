@@ -37,7 +37,7 @@ fn from_system(check: Check<'_>, name: &str, system: &Database) -> Result<Font> 
     let id = by_name.or_else(|| system.query(&Query { families: &[Family::Name(name)], ..Query::default() }));
     let Some((source, index)) = id.and_then(|id| system.face_source(id)) else {
         let rule = format!(
-            "be DEPLOF, the path of a font file (there is none at it) or one of the {} fonts of the system",
+            "be DEPLOF, the path of an existing font file, or the name of one of the {} fonts of the system",
             system.len()
         );
         return Err(refused(check, name, &rule));
@@ -80,8 +80,8 @@ mod tests {
     fn what_is_not_known_is_refused_with_what_was_tried() {
         let error =
             from_system(Check::new("text"), "DejaVu", &system()).err().expect("no family of this name").to_string();
-        let expected = "text: font is \"DejaVu\", but it must be DEPLOF, the path of a font file (there is none at it) \
-                        or one of the 2 fonts of the system";
+        let expected = "text: font is \"DejaVu\", but it must be DEPLOF, the path of an existing font file, \
+                        or the name of one of the 2 fonts of the system";
         assert_eq!(error, expected);
         let garbage =
             from_bytes(Check::new("text"), b"not a font".to_vec(), 0, "x.ttf").err().expect("no font").to_string();

@@ -17,37 +17,8 @@ use std::collections::hash_map::Entry;
 use harfrust::font::Font;
 use phidl_core::prelude::*;
 
-use super::deplof;
-use super::layout::Pen;
+use super::pen::Pen;
 use contour::Flattened;
-
-/// What a text is written in.
-pub(super) enum Face {
-    /// The built-in font.
-    Deplof,
-    /// A font from a file.
-    Outline(Box<OutlineFont>),
-}
-
-impl Face {
-    /// The built-in font, that of a file, or one of the system.
-    pub(super) fn find(check: Check<'_>, font: &str) -> Result<Self> {
-        if font.eq_ignore_ascii_case("DEPLOF") {
-            return Ok(Self::Deplof);
-        }
-        find::font(check, font)
-            .and_then(|found| OutlineFont::new(check, font, found))
-            .map(|found| Self::Outline(Box::new(found)))
-    }
-
-    /// From one baseline to the next, in sizes.
-    pub(super) fn line_pitch(&self) -> f64 {
-        match self {
-            Self::Deplof => deplof::LINE_PITCH / deplof::CAP_HEIGHT,
-            Self::Outline(font) => font.line_pitch,
-        }
-    }
-}
 
 /// A TrueType or OpenType font with the measures of its lines.
 pub(super) struct OutlineFont {
@@ -56,11 +27,21 @@ pub(super) struct OutlineFont {
     name: String,
     /// Height of the ascender, in font units.
     ascender: f64,
-    /// From one baseline to the next, in ascenders.
+    /// Distance of two baselines, in ascenders.
     line_pitch: f64,
 }
 
 impl OutlineFont {
+    /// The font in a file at this path, or the font of the system with this name.
+    pub(super) fn find(check: Check<'_>, font: &str) -> Result<Self> {
+        find::font(check, font).and_then(|found| Self::new(check, font, found))
+    }
+
+    /// Distance of two baselines, in sizes.
+    pub(super) fn line_pitch(&self) -> f64 {
+        self.line_pitch
+    }
+
     fn new(check: Check<'_>, name: &str, font: Font) -> Result<Self> {
         let line = font.metrics().h_line().unwrap_or_default();
         let [ascender, descender, gap] = [line.ascender, line.descender, line.line_gap].map(|v| v.to_f64());
@@ -72,10 +53,11 @@ impl OutlineFont {
     }
 
     /// The letters of one line, with the pen starting at the origin, in micrometers.
-    pub(super) fn line(&self, line: &str, pen: &Pen) -> Result<Vec<Vec<Point>>> {
+    pub(super) fn line(&self, line: &str, pen: &Pen<'_>) -> Result<Vec<Vec<Point>>> {
         let scale = pen.size / self.ascender;
         let mut drawn: HashMap<u32, Vec<Vec<Point>>> = HashMap::new();
         let mut outlines = Vec::new();
+        let mut points = 0;
         for placed in shape::line(&self.font, line) {
             let glyph = match drawn.entry(placed.glyph) {
                 Entry::Occupied(known) => known.into_mut(),
@@ -84,14 +66,16 @@ impl OutlineFont {
                     new.insert(self.glyph(placed.glyph, letter, pen, scale)?)
                 }
             };
-            let place = |p: &Point| (*p + placed.at) * scale;
-            outlines.extend(glyph.iter().map(|outline| outline.iter().map(place).collect()));
+            points += glyph.iter().map(Vec::len).sum::<usize>();
+            pen.check_points(points)?;
+            let to_um = |p: &Point| (*p + placed.at) * scale;
+            outlines.extend(glyph.iter().map(|outline| outline.iter().map(to_um).collect()));
         }
         Ok(outlines)
     }
 
     /// The outlines of a glyph, in font units: without holes, since GDSII has none. Errors name the letter it stands for.
-    fn glyph(&self, glyph: u32, letter: char, pen: &Pen, scale: f64) -> Result<Vec<Vec<Point>>> {
+    fn glyph(&self, glyph: u32, letter: char, pen: &Pen<'_>, scale: f64) -> Result<Vec<Vec<Point>>> {
         let tolerance = pen.tolerance / scale.abs();
         let refused = |rule: &str| Error::custom("text", format_args!("in {letter:?} of {:?}: {rule}", self.name));
         let contours = Flattened::glyph(&self.font, glyph, tolerance);

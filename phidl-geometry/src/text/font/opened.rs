@@ -1,9 +1,9 @@
-//! Contours with holes to outlines without: what GDSII can hold.
+//! Contours with holes, turned into outlines without: GDSII has no holes.
 //!
-//! Fonts fill by the winding number, so a contour that runs against the outer ones cuts a hole. A hole is opened by a
-//! seam: the outline runs from one of its own vertices to one of the hole, round the hole, and back the same way. No
-//! point is made, so the area is exact, and after any rounding both sides of the seam still coincide. A seam to the
-//! nearest *edge* needs a point on it, which rounds away from the edge; cutting the glyph into trapezoids would give
+//! Fonts fill by the winding number: a contour against the direction of the outer ones cuts a hole. A hole is opened by a
+//! keyhole: the outline runs from one of its vertices to a vertex of the hole, around the hole, and back along the same
+//! seam. No vertex is added, so the area is exact, and both sides of the seam coincide after any rounding. Rejected: a
+//! seam to the nearest *edge*, whose new vertex rounds away from the edge; cutting the glyph into trapezoids, which gives
 //! many polygons that touch.
 //!
 //! Contours of the same direction that overlap, as in many variable fonts, become polygons that overlap, which is the
@@ -24,8 +24,8 @@ struct Shape {
     holes: Vec<Vec<Point>>,
 }
 
-/// Gives every hole to the smallest contour around it. What fills and what cuts is told by the direction of the largest
-/// contour, since TrueType and PostScript disagree about it.
+/// Assigns every hole to the smallest contour around it. The largest contour defines the filling direction, since TrueType
+/// and PostScript disagree about it.
 fn shapes(contours: Vec<Vec<Point>>) -> Vec<Shape> {
     let largest = contours.iter().map(|c| signed_area(c)).max_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(1.0);
     let (filled, cut): (Vec<_>, Vec<_>) = contours.into_iter().partition(|c| signed_area(c) * largest > 0.0);
@@ -65,14 +65,14 @@ fn joined(mut outline: Vec<Point>, hole: &[Point]) -> Vec<Point> {
     let seen =
         vertices.into_iter().find(|i| !crosses(&outline, from, outline[*i]) && !crosses(hole, from, outline[*i]));
     // Contours that cross may hide all; a seam across them still covers the same, since its two sides cancel.
-    let place = seen.unwrap_or(0);
-    let seam = outline[place];
+    let index = seen.unwrap_or(0);
+    let seam = outline[index];
     let round = hole[start..].iter().chain(&hole[..=start]).copied();
-    outline.splice(place..=place, [seam].into_iter().chain(round).chain([seam]));
+    outline.splice(index..=index, [seam].into_iter().chain(round).chain([seam]));
     outline
 }
 
-/// Whether the way between two points crosses an edge of a contour.
+/// Whether the segment between two points crosses an edge of a contour.
 fn crosses(contour: &[Point], from: Point, to: Point) -> bool {
     (0..contour.len()).any(|i| segments_cross(from, to, contour[i], contour[(i + 1) % contour.len()]))
 }

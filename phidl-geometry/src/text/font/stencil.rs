@@ -1,7 +1,7 @@
 //! Bridges: what opens the counters of an outline font, so that it can be etched through.
 //!
-//! A bridge is a slab of one width from a counter straight to the next place without ink: one above and one below the
-//! counter, or, where neither fits, one to either side. Cutting it out changes contours only where its walls cross them:
+//! A bridge is a slab of constant width from a counter straight to the nearest area without ink: one above and one below
+//! the counter, or, if neither fits, one on either side. Cutting it out changes contours only where its walls cross them:
 //! two chains of corners between the walls go, and the walls join what is left. So the rest of the glyph keeps its
 //! points, and nothing is rounded. A boolean engine would do the same on a grid; it is only asked to unite contours that
 //! cross or cover each other, as variable fonts have them, since there the boundary of the ink is not drawn yet.
@@ -130,7 +130,7 @@ impl Ink {
 
     /// The crossing of a wall at the top of the counter, and the next one above it.
     fn wall(&self, start: Point) -> Option<(Crossing, Crossing)> {
-        /// Another bridge may have shortened the edge, and the crossing be computed anew (font units).
+        /// Tolerance of a crossing recomputed after another bridge shortened the edge (font units).
         const SAME: f64 = 1e-6;
         let mut above: Vec<Crossing> =
             self.crossings(start.x).filter(|crossing| crossing.at.y > start.y - SAME).collect();
@@ -148,7 +148,7 @@ impl Ink {
         })
     }
 
-    /// The way along a contour from one crossing to another; none if they are on different ones.
+    /// The chain along a contour from one crossing to another; none if they are on different contours.
     fn chain(&self, from: Crossing, to: Crossing) -> Option<Vec<Point>> {
         if from.contour != to.contour {
             return None;

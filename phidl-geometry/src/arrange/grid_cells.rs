@@ -1,98 +1,98 @@
-//! [`DeviceList`]: cells for a grid, in one row or in several.
+//! [`GridCells`]: the cells of a grid, in one row or in several.
 
 use phidl_core::param::{ConversionError, Param, ParamType};
 use phidl_core::prelude::*;
 
-/// Cells in one list, or in rows with the top one first. Where a cell is missing (`None`), its place stays free.
+/// Cells in one list, or in rows with the top one first. `None` leaves a position empty.
 ///
 /// ```
 /// # use phidl_core::prelude::*;
 /// # use phidl_geometry as pg;
-/// use pg::arrange::DeviceList;
+/// use pg::arrange::GridCells;
 /// let (a, b) = (pg::rectangle((4, 2), 0)?, pg::circle(3, 2.5, 0)?);
-/// let _row = DeviceList::from([&a, &b]);
-/// let _rows = DeviceList::from([[Some(&a), Some(&b)], [Some(&b), None]]);
+/// let _row = GridCells::from([&a, &b]);
+/// let _rows = GridCells::from([[Some(&a), Some(&b)], [Some(&b), None]]);
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-pub enum DeviceList {
+pub enum GridCells {
     /// One list, which a shape may break into rows.
-    Flat(Vec<Slot>),
+    Flat(Vec<GridCell>),
     /// Rows, from the top; all have the same length.
-    Rows(Vec<Vec<Slot>>),
+    Rows(Vec<Vec<GridCell>>),
 }
 
-/// A place in a [`DeviceList`], with a cell or free.
+/// One position of [`GridCells`]: a cell or nothing.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Slot(pub Option<Device>);
+pub struct GridCell(pub Option<Device>);
 
-impl From<Device> for Slot {
+impl From<Device> for GridCell {
     fn from(device: Device) -> Self {
         Self(Some(device))
     }
 }
 
-impl From<&Device> for Slot {
+impl From<&Device> for GridCell {
     fn from(device: &Device) -> Self {
         Self(Some(device.clone()))
     }
 }
 
-impl From<Option<Device>> for Slot {
+impl From<Option<Device>> for GridCell {
     fn from(device: Option<Device>) -> Self {
         Self(device)
     }
 }
 
-impl From<Option<&Device>> for Slot {
+impl From<Option<&Device>> for GridCell {
     fn from(device: Option<&Device>) -> Self {
         Self(device.cloned())
     }
 }
 
-impl<S: Into<Slot>> FromIterator<S> for DeviceList {
+impl<S: Into<GridCell>> FromIterator<S> for GridCells {
     fn from_iter<I: IntoIterator<Item = S>>(cells: I) -> Self {
         Self::Flat(cells.into_iter().map(Into::into).collect())
     }
 }
 
-impl<S: Into<Slot>, const N: usize> From<[S; N]> for DeviceList {
+impl<S: Into<GridCell>, const N: usize> From<[S; N]> for GridCells {
     fn from(cells: [S; N]) -> Self {
         cells.into_iter().collect()
     }
 }
 
-impl<S: Into<Slot>> From<Vec<S>> for DeviceList {
+impl<S: Into<GridCell>> From<Vec<S>> for GridCells {
     fn from(cells: Vec<S>) -> Self {
         cells.into_iter().collect()
     }
 }
 
-impl From<&[Device]> for DeviceList {
+impl From<&[Device]> for GridCells {
     fn from(cells: &[Device]) -> Self {
         cells.iter().collect()
     }
 }
 
-impl From<&Vec<Device>> for DeviceList {
+impl From<&Vec<Device>> for GridCells {
     fn from(cells: &Vec<Device>) -> Self {
         cells.iter().collect()
     }
 }
 
-impl<S: Into<Slot>, const N: usize, const M: usize> From<[[S; M]; N]> for DeviceList {
+impl<S: Into<GridCell>, const N: usize, const M: usize> From<[[S; M]; N]> for GridCells {
     fn from(rows: [[S; M]; N]) -> Self {
         Self::Rows(rows.into_iter().map(|row| row.into_iter().map(Into::into).collect()).collect())
     }
 }
 
-impl<S: Into<Slot>> From<Vec<Vec<S>>> for DeviceList {
+impl<S: Into<GridCell>> From<Vec<Vec<S>>> for GridCells {
     fn from(rows: Vec<Vec<S>>) -> Self {
         Self::Rows(rows.into_iter().map(|row| row.into_iter().map(Into::into).collect()).collect())
     }
 }
 
-impl Param for Slot {
+impl Param for GridCell {
     fn param_type() -> ParamType {
         ParamType::Optional(Box::new(ParamType::Device))
     }
@@ -106,7 +106,7 @@ impl Param for Slot {
     }
 }
 
-impl Param for DeviceList {
+impl Param for GridCells {
     fn param_type() -> ParamType {
         ParamType::Other("list of devices, or list of such rows")
     }
@@ -132,15 +132,15 @@ mod tests {
     #[test]
     fn lists_and_rows_come_back_from_their_values() {
         let a = rectangle((1, 2), 0).unwrap();
-        for list in [DeviceList::from([Some(&a), None]), DeviceList::from([[&a, &a], [&a, &a]])] {
-            assert_eq!(DeviceList::from_value(&list.to_value()).unwrap(), list);
+        for list in [GridCells::from([Some(&a), None]), GridCells::from([[&a, &a], [&a, &a]])] {
+            assert_eq!(GridCells::from_value(&list.to_value()).unwrap(), list);
         }
     }
 
     #[test]
-    fn a_row_among_cells_is_refused_with_its_place() {
+    fn a_row_among_cells_is_refused_with_its_index() {
         let a = rectangle((1, 2), 0).unwrap();
         let mixed = Value::from(vec![Value::from(a.clone()), Value::from(vec![Value::from(a)])]);
-        assert!(DeviceList::from_value(&mixed).unwrap_err().to_string().starts_with("[0] is"));
+        assert!(GridCells::from_value(&mixed).unwrap_err().to_string().starts_with("[0] is"));
     }
 }

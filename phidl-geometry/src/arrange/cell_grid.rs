@@ -1,13 +1,12 @@
 //! Rows and columns: the geometry under [`grid`](fn@super::grid) and [`gridsweep`](fn@super::gridsweep).
 //!
-//! Everything is computed from bounding boxes. A place without a cell, or with one that draws nothing, has no box: it
-//! neither takes room nor takes part. (PHIDL gives such places a box at the origin, which tears grids apart that do not
-//! sit there.)
+//! All positions follow from bounding boxes. A position without a cell, or with an empty one, has no box: it takes no room
+//! and is ignored by alignment. (PHIDL gives it a box at the origin, which distorts grids that do not contain the origin.)
 
 use phidl_core::prelude::*;
 use phidl_macros::Choice;
 
-use super::DeviceList;
+use super::GridCells;
 
 /// A vertical line of a box, to align columns or to space them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Choice)]
@@ -59,7 +58,7 @@ impl From<EdgeY> for Edge {
 
 /// How the lines (rows or columns) of a lattice follow each other.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Follow {
+pub(super) enum LineSpacing {
     /// The gap between the boxes of neighboring lines (µm).
     Gap(f64),
     /// The distance between the same edges of neighboring lines (µm).
@@ -68,22 +67,22 @@ pub(super) enum Follow {
 
 /// Cells in rows and columns, row by row from the top left.
 #[derive(Debug)]
-pub(super) struct Lattice {
+pub(super) struct CellGrid {
     pub(super) columns: usize,
     cells: Vec<Reference>,
 }
 
-impl Lattice {
-    /// The cells at their own places. Places without one get references to an empty cell.
-    pub(super) fn new(list: DeviceList, columns: usize, rows: usize) -> Result<Self> {
-        let free = Device::builder("free").build()?;
+impl CellGrid {
+    /// The cells at their own positions; missing cells become references to an empty cell.
+    pub(super) fn new(list: GridCells, columns: usize, rows: usize) -> Result<Self> {
+        let empty = Device::builder("free").build()?;
         let slots = match list {
-            DeviceList::Flat(slots) => slots,
-            DeviceList::Rows(rows) => rows.into_iter().flatten().collect(),
+            GridCells::Flat(slots) => slots,
+            GridCells::Rows(rows) => rows.into_iter().flatten().collect(),
         };
         let mut cells: Vec<Reference> =
-            slots.into_iter().map(|slot| slot.0.as_ref().unwrap_or(&free).place()).collect();
-        cells.resize(columns * rows, free.place());
+            slots.into_iter().map(|slot| slot.0.as_ref().unwrap_or(&empty).place()).collect();
+        cells.resize(columns * rows, empty.place());
         Ok(Self { columns, cells })
     }
 
@@ -98,7 +97,7 @@ impl Lattice {
     }
 
     /// Spaces the columns out to the right, then the rows upwards from the bottom one.
-    pub(super) fn distribute(&mut self, columns: Follow, rows: Follow) {
+    pub(super) fn distribute(&mut self, columns: LineSpacing, rows: LineSpacing) {
         self.distribute_lines(&self.columns(), Direction::X, columns);
         let upwards: Vec<_> = self.rows().into_iter().rev().collect();
         self.distribute_lines(&upwards, Direction::Y, rows);
@@ -132,14 +131,14 @@ impl Lattice {
     }
 
     /// The first line that draws something stays where it is.
-    fn distribute_lines(&mut self, lines: &[Vec<usize>], direction: Direction, follow: Follow) {
+    fn distribute_lines(&mut self, lines: &[Vec<usize>], direction: Direction, follow: LineSpacing) {
         let lower = lower_edge(direction);
         let mut next = None;
         for (number, line) in lines.iter().enumerate() {
             let Some(own) = self.line_box(line) else { continue };
             let (edge, step) = match follow {
-                Follow::Gap(_) => (lower, 0.0),
-                Follow::Pitch(edge, pitch) => (edge, pitch * number as f64),
+                LineSpacing::Gap(_) => (lower, 0.0),
+                LineSpacing::Pitch(edge, pitch) => (edge, pitch * number as f64),
             };
             // A pitch counts from line 0, be it empty or not; gaps only count lines that draw something.
             let start = *next.get_or_insert(edge.of(own) - step);
@@ -147,7 +146,7 @@ impl Lattice {
             for cell in line.iter().filter(|cell| self.cells[**cell].bbox().is_some()).collect::<Vec<_>>() {
                 self.cells[*cell].move_by(along(edge, by));
             }
-            if let Follow::Gap(gap) = follow {
+            if let LineSpacing::Gap(gap) = follow {
                 let extent = match direction {
                     Direction::X => own.size().width,
                     Direction::Y => own.size().height,

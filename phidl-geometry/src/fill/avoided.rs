@@ -1,16 +1,15 @@
-//! [`Region`]: the area that a fill has to keep away from, as the edges around it and the polygons that make it up.
+//! [`AvoidedArea`]: the area that a fill has to keep away from, as the edges around it and the polygons that make it up.
 //!
 //! It is what the avoided polygons cover without what the included ones cover. A raster only needs to know how near a
 //! cell is to an edge and whether its middle is inside, so no new polygons are made: where polygons of the two kinds
-//! meet, edges are cut at all crossings, and the pieces with area on one side are kept. A boolean engine would round the
-//! area to a grid first, and margins would no longer be exact. Near edges are found in an R-tree; comparing all with all
-//! would take minutes for a hundred thousand.
+//! meet, edges are cut at all crossings, and the fragments with avoided area on one side are kept. A boolean engine was
+//! rejected: it rounds the area to a grid first, and margins would not be exact. Nearby edges are found in an R-tree.
 
 use phidl_core::prelude::*;
 use rstar::primitives::{GeomWithData, Line, Rectangle};
 use rstar::{AABB, RTree};
 
-/// How far beside a piece of an edge the area is looked at (µm); slivers that are thinner do not count.
+/// Distance from an edge fragment at which the area is probed (µm); thinner slivers do not count.
 const PROBE: f64 = 1e-7;
 /// Sine of the angle below which two edges may lie on each other although their coordinates were rounded.
 const PARALLEL: f64 = 1e-6;
@@ -20,7 +19,7 @@ pub(super) type Edge = (Point, Point);
 
 /// The area that a fill has to keep away from.
 #[derive(Debug)]
-pub(super) struct Region {
+pub(super) struct AvoidedArea {
     /// The edges around the area; some may lie inside.
     pub(super) edges: Vec<Edge>,
     /// What is avoided, even-odd in each polygon.
@@ -48,7 +47,7 @@ pub(super) fn crossing(a: Point, b: Point, y: f64) -> f64 {
     a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x)
 }
 
-impl Region {
+impl AvoidedArea {
     /// What the polygons on avoided layers cover without those on included layers.
     pub(super) fn of(device: &Device, avoided: impl Fn(Layer) -> bool, included: &Layers) -> Self {
         let (mut solid, mut open) = (Vec::new(), Vec::new());
@@ -61,13 +60,33 @@ impl Region {
                 _ => {}
             }
         }
-        let edges = Crowd::of(&solid, &open).edges();
+        let edges = Index::of(&solid, &open).edges();
+        Self { edges, solid, open }
+    }
+
+    /// The surroundings of a region: everything that no polygon of the device covers, in a box and around it.
+    pub(super) fn outside(region: &Device, within: Rect) -> Self {
+        let outline = |points: Vec<Point>| {
+            let bbox = Rect::around(points.iter().copied())?;
+            Some(Outline { points, bbox })
+        };
+        let open: Vec<Outline> =
+            region.flat_polygons().filter_map(|polygon| outline(polygon.points().collect())).collect();
+        // Larger than all polygons, so that its own edges are far from the box.
+        let all = open.iter().fold(within, |all, outline| all.union(outline.bbox));
+        let (Point { x: l, y: b }, Point { x: r, y: t }) = {
+            let all = all.grown(1.0 + all.size().width.max(all.size().height));
+            (all.min, all.max)
+        };
+        let solid: Vec<Outline> =
+            outline([(l, b), (r, b), (r, t), (l, t)].map(Point::from).to_vec()).into_iter().collect();
+        let edges = Index::of(&solid, &open).edges();
         Self { edges, solid, open }
     }
 }
 
-/// All polygons with their edges, so that those that are near are found at once.
-struct Crowd<'a> {
+/// Spatial index over all polygons and their edges.
+struct Index<'a> {
     /// First those that are avoided, then the open ones.
     outlines: Vec<&'a Outline>,
     /// How many are avoided.
@@ -77,7 +96,7 @@ struct Crowd<'a> {
     sides: RTree<GeomWithData<Line<[f64; 2]>, usize>>,
 }
 
-impl<'a> Crowd<'a> {
+impl<'a> Index<'a> {
     fn of(solid: &'a [Outline], open: &'a [Outline]) -> Self {
         let outlines: Vec<&Outline> = solid.iter().chain(open).collect();
         let boxes = outlines.iter().enumerate().map(|(n, outline)| GeomWithData::new(envelope(outline.bbox).into(), n));
@@ -93,26 +112,26 @@ impl<'a> Crowd<'a> {
     /// The edges around what is avoided and not open.
     fn edges(&self) -> Vec<Edge> {
         let edges = |(n, outline): (usize, &&Outline)| match (self.meets_the_other_kind(n), n < self.solid) {
-            (true, _) => outline.edges().flat_map(|edge| self.pieces(edge)).collect(),
+            (true, _) => outline.edges().flat_map(|edge| self.fragments(edge)).collect(),
             (false, true) => outline.edges().collect(),
             (false, false) => Vec::new(),
         };
         self.outlines.iter().enumerate().flat_map(edges).collect()
     }
 
-    /// Whether the box of an avoided polygon touches that of an open one, or the other way round.
+    /// Whether the box of this polygon touches the box of a polygon of the other kind.
     fn meets_the_other_kind(&self, n: usize) -> bool {
         let near = self.boxes.locate_in_envelope_intersecting(&envelope(self.outlines[n].bbox));
         near.into_iter().any(|other| (other.data < self.solid) != (n < self.solid))
     }
 
-    /// The parts of an edge that have something avoided on one side.
-    fn pieces(&self, (a, b): Edge) -> Vec<Edge> {
+    /// The fragments of an edge with avoided area on one side.
+    fn fragments(&self, (a, b): Edge) -> Vec<Edge> {
         let near = self.sides.locate_in_envelope_intersecting(&envelope(Rect::new(a, b)));
         let near = near.map(|side| (side.geom().from.into(), side.geom().to.into()));
-        let mut pieces = pieces((a, b), near);
-        pieces.retain(|piece| has_area_beside(*piece, |p| self.is_avoided(p)));
-        pieces
+        let mut fragments = fragments((a, b), near);
+        fragments.retain(|fragment| has_area_beside(*fragment, |p| self.is_avoided(p)));
+        fragments
     }
 
     /// Whether a point lies in an avoided polygon and in no open one.
@@ -122,7 +141,7 @@ impl<'a> Crowd<'a> {
         solid.into_iter().any(|n| self.is_inside(n, p)) && !open.into_iter().any(|n| self.is_inside(n, p))
     }
 
-    /// Whether a point lies inside a polygon, even-odd. Points on an edge may go either way.
+    /// Whether a point lies inside a polygon, even-odd. The result for points on an edge is not defined.
     fn is_inside(&self, n: usize, p: Point) -> bool {
         let ray = Rect::new(p, (self.outlines[n].bbox.max.x, p.y));
         let crossed = self.sides.locate_in_envelope_intersecting(&envelope(ray)).filter(|side| {
@@ -138,7 +157,7 @@ fn envelope(rect: Rect) -> AABB<[f64; 2]> {
 }
 
 /// An edge cut wherever another one crosses or joins it. Cuts elsewhere would do no harm.
-fn pieces((a, b): Edge, edges: impl Iterator<Item = Edge>) -> Vec<Edge> {
+fn fragments((a, b): Edge, edges: impl Iterator<Item = Edge>) -> Vec<Edge> {
     let along = b - a;
     let mut cuts = vec![0.0, 1.0];
     for (c, d) in edges {
@@ -156,16 +175,16 @@ fn pieces((a, b): Edge, edges: impl Iterator<Item = Edge>) -> Vec<Edge> {
     cuts.windows(2).map(|cut| (a + along * cut[0], a + along * cut[1])).collect()
 }
 
-/// Whether the area lies on either side of a piece of an edge.
+/// Whether avoided area lies on either side of an edge fragment.
 fn has_area_beside((a, b): Edge, covered: impl Fn(Point) -> bool) -> bool {
     let along = b - a;
     let length = along.norm();
     if length <= PROBE {
         return false;
     }
-    let aside = Point::new(-along.y, along.x) * (PROBE / length);
+    let offset = Point::new(-along.y, along.x) * (PROBE / length);
     let middle = (a + b) / 2.0;
-    covered(middle + aside) || covered(middle - aside)
+    covered(middle + offset) || covered(middle - offset)
 }
 
 #[cfg(test)]
@@ -176,14 +195,14 @@ mod tests {
         Rect::new((low, low), (high, high))
     }
 
-    fn region(solid: Rect, open: Rect) -> Region {
+    fn region(solid: Rect, open: Rect) -> AvoidedArea {
         let mut d = Device::builder("scene");
         d.add_polygon(solid, 1).unwrap();
         d.add_polygon(open, 2).unwrap();
-        Region::of(&d.build().unwrap(), |_| true, &2.into())
+        AvoidedArea::of(&d.build().unwrap(), |_| true, &2.into())
     }
 
-    fn length(region: &Region) -> f64 {
+    fn length(region: &AvoidedArea) -> f64 {
         region.edges.iter().map(|(a, b)| a.distance(*b)).sum()
     }
 
