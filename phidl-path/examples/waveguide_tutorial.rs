@@ -1,7 +1,7 @@
 //! PHIDL's tutorial on waveguides and paths, step by step: every function is a chapter and returns its drawing.
 //!
 //! `cargo run -p phidl-path --example waveguide_tutorial` prints what came out; nothing is written. The pictures are in
-//! `docs/waveguide_tutorial.md`, where `cargo xtask gallery --bless` draws them from [`chapters`].
+//! `docs/guide/waveguides.md`, where `cargo xtask gallery --bless` draws them from [`chapters`].
 
 use std::f64::consts::PI;
 

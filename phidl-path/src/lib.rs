@@ -67,7 +67,3 @@ pub use transition::{TransitionShape, transition};
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
-
-#[cfg(doctest)]
-#[doc = include_str!("../docs/waveguide_tutorial.md")]
-struct Tutorial;

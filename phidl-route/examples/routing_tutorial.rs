@@ -1,7 +1,7 @@
 //! PHIDL's tutorial on routing, step by step: every function is a chapter and returns what it draws.
 //!
 //! `cargo run -p phidl-route --example routing_tutorial` prints what came out; nothing is written. The pictures are in
-//! `docs/routing_tutorial.md`, where `cargo xtask gallery --bless` draws them from [`chapters`].
+//! `docs/guide/routing.md`, where `cargo xtask gallery --bless` draws them from [`chapters`].
 
 use phidl_core::prelude::*;
 use phidl_path::{CrossSection, EulerBend, Section};

@@ -68,7 +68,7 @@ impl RouteDrawing<'_> {
         Ok(d)
     }
 
-    /// The widths of the ports, of which none may be zero: nobody said how wide the route is.
+    /// The widths of the ports, of which none may be zero, since no width was given.
     fn port_widths(&self, ports: [&Port; 2]) -> Result<[f64; 2]> {
         for (name, port) in ["port1.width", "port2.width"].into_iter().zip(ports) {
             if port.width() <= 0.0 {

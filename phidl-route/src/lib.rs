@@ -68,8 +68,3 @@ pub use xy::{RouteXyParams, path_xy, route_xy};
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
-
-/// The calls of the tutorial, kept true in the same way.
-#[cfg(doctest)]
-#[doc = include_str!("../docs/routing_tutorial.md")]
-struct Tutorial;

@@ -8,7 +8,7 @@ use phidl_path::{ArcBend, Bend, EulerBend, Path};
 
 use crate::manhattan::recorded;
 
-/// Points per full turn if nobody says.
+/// Points per full turn by default.
 const NUM_PTS: f64 = 720.0;
 
 /// What a smooth route does at its corners.

@@ -11,7 +11,7 @@ use phidl_core::port::Port;
 use phidl_core::{Error, Result};
 
 /// Two orientations may differ by this much (degrees) where a rule asks for a right angle: half a step of the three
-/// decimals to which the specification compares.
+/// decimals to which PHIDL compares (docs/reference/routes.md).
 pub(crate) const SKEW: f64 = 1e-3;
 /// How far beside a port's axis a route may leave or arrive (µm), or a port may lie beside the other one's axis: a step
 /// of the usual database grid.
@@ -186,7 +186,7 @@ pub(crate) fn micrometers(um: f64) -> String {
     format!("{} µm", (um * PICOMETERS).round() / PICOMETERS)
 }
 
-/// The unit vector along which a port looks, as the specification has it: of the plain sine and cosine, also at multiples
+/// The unit vector along which a port faces, computed like the reference (docs/reference/routes.md): of the plain sine and cosine, also at multiples
 /// of 90°. (Exact ones would move waypoints by 1e-14 µm only, but whether a bend has 179 points or 180 hangs on that.)
 fn forward(port: &Port) -> Point {
     let (sin, cos) = port.orientation().to_radians().sin_cos();
@@ -197,7 +197,7 @@ pub(crate) fn left_of(forward: Point) -> Point {
     Point::new(-forward.y, forward.x)
 }
 
-/// Three decimals, halves to even, as the specification compares lengths and angles.
+/// Three decimals, halves to even, as PHIDL compares lengths and angles.
 pub(crate) fn round3(v: f64) -> f64 {
     (v * 1000.0).round_ties_even() / 1000.0
 }

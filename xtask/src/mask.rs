@@ -84,7 +84,7 @@ mod tests {
 
     use super::*;
 
-    /// Draws and builds a mask anew, and reads its files.
+    /// Draws and builds a mask again, and reads its files.
     fn files(mask: &Mask, threads: usize) -> BTreeMap<String, Vec<u8>> {
         let folder = tempfile::tempdir().unwrap();
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();

@@ -13,7 +13,7 @@ const PATIENCE: Duration = Duration::from_secs(1);
 enum News {
     /// A step begins.
     Step(String),
-    /// So many parts of so many of the present step are done.
+    /// How many parts of the present step are done, of how many.
     Part(usize, usize),
     /// There are no more steps.
     End,

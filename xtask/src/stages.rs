@@ -44,7 +44,7 @@ impl Stages {
         result
     }
 
-    /// Prints the time of each stage and the peak of memory up to its end; per vertex, for so many vertices.
+    /// Prints the time of each stage and the peak of memory up to its end; per vertex, for this number of vertices.
     pub(crate) fn print(self, vertices: usize) {
         let Self { progress, mut done } = self;
         drop(progress);

@@ -1,9 +1,8 @@
 //! The chip: couplers one above the other, wired to both edges.
 
-use phidl_core::prelude::*;
-use phidl_geometry as pg;
-use phidl_macros::device;
-use phidl_route::RouteBasicParams;
+use phidl::prelude::*;
+use phidl::route::RouteBasicParams;
+use phidl::shapes as pg;
 
 use crate::coupler::coupler;
 use crate::layers::{CORE, DIE, DUMMY, NAME, TRENCH};

@@ -1,8 +1,7 @@
 //! The device of this project's own.
 
-use phidl_core::prelude::*;
-use phidl_macros::device;
-use phidl_path::{CrossSection, EulerBend, Path, Section};
+use phidl::path::EulerBend;
+use phidl::prelude::*;
 
 use crate::layers::CORE;
 

@@ -1,6 +1,6 @@
 //! The layers of the process.
 
-use phidl_core::prelude::*;
+use phidl::prelude::*;
 
 /// What stays as a waveguide: drawn, but not written by the beam.
 pub const CORE: Layer = Layer::new(1, 0);

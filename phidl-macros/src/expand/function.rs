@@ -1,4 +1,4 @@
-//! The function that is called: a thin shell that fills the parameter struct and has it built.
+//! The function that is called: a thin shell that fills the parameter struct and builds it.
 
 use proc_macro2::TokenStream;
 use quote::{quote, quote_spanned};

@@ -253,7 +253,7 @@ fn bends(case: &Case) -> Vec<Json> {
     directions.windows(2).map(bend).collect()
 }
 
-/// Whether the arcs in the middle of a spiral get fewer than two points (path.md 7: c0).
+/// Whether the arcs in the middle of a spiral get fewer than two points (docs/reference/paths.md, spiral).
 fn is_spiral_without_center(segment: &Json) -> bool {
     let p = &segment["params"];
     let (gap, inner) = (number_or(&p["gap"], 1.0), number_or(&p["inner_gap"], 2.0));
@@ -335,7 +335,7 @@ fn has_arctangents(case: &Case) -> bool {
         || list(case, "ops").iter().any(|op| op["op"] == "mirror")
 }
 
-/// The hash as the specification defines it, written down once more.
+/// The hash as docs/reference/geometry-hash.md defines it, written down once more.
 pub(crate) fn defined_hash(points: &[Point], start_angle: f64, end_angle: f64) -> String {
     let mut bytes = Vec::new();
     for p in points {

@@ -1,4 +1,4 @@
-//! The hash tables of the specification.
+//! Hashes of paths, measured on PHIDL.
 
 use std::f64::consts::PI;
 
@@ -94,7 +94,7 @@ fn smoothed_paths_have_the_hashes_of_the_reference() {
         ("smooth2", Path::smooth(points, 4, ArcBend::new()).unwrap(), "f075520ab38933b35f3c8af110627de29e34b695"),
         ("default", Path::smooth(points, 4, EulerBend::new()).unwrap(), "f39b59d22e2801ad0241b5de41571aa46ab848f1"),
     ]);
-    // Noise makes the reference end in a direction a hair below 0°, which it takes for 360°, a Quirk of the specification.
+    // Noise makes the reference end in a direction a hair below 0°, which it takes for 360°, a defect of PHIDL.
     let tutorial = [(20, 10), (40, 10), (20, 40), (50, 40), (50, 20), (70, 20)];
     let path = Path::smooth(tutorial, 2, EulerBend::new()).unwrap();
     assert_eq!((path.points().len(), path.end_angle()), (1706, 0.0));

@@ -1,6 +1,6 @@
 //! Waypoints with at most two corners: straight, L, Z and V.
 //!
-//! Waypoints are a sketch: they are what the formulas of the specification give, also where lengths are such that the
+//! Waypoints are a sketch: they are what the formulas of docs/reference/routes.md give, also where lengths are such that the
 //! line leaves a port backwards. Whether a line can be a route is decided where one is drawn.
 
 use phidl_core::Result;

@@ -95,7 +95,7 @@ struct DetourSearch<'a> {
 }
 
 impl DetourSearch<'_> {
-    /// The best line with so many corners.
+    /// The best line with this number of corners.
     fn run(&mut self) -> Result<Option<Vec<Point>>> {
         let (enter, across) = (self.enter, left_of(self.enter));
         let bend = self.wire.extent(across, enter)?;

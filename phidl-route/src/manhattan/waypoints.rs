@@ -12,7 +12,7 @@ use super::footprint::Wire;
 use super::{corners, crossing, detour, loops};
 use crate::port_pair::{PortPair, check_positive, round3};
 
-/// How much more than its radius (µm) a bend gets, as the reference has it.
+/// The margin that a bend gets beyond its radius (µm), the same as in PHIDL.
 pub(crate) const MARGIN: f64 = 0.1;
 
 /// Waypoints at right angles between any two ports turned by a multiple of 90° against each other, with room for a bend

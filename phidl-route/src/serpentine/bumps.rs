@@ -19,7 +19,7 @@ const FLATTEST_GRADUAL: f64 = 30.5;
 /// How much of what a flat bump adds is left to its bends; the rest is added by its legs. It keeps legs long enough for
 /// their bends when the line is corrected: a bend of three points instead of two is a fifth longer in what it adds.
 const BY_BENDS: f64 = 0.75;
-/// The same for bends of 90°, which have so many points that one more or less hardly counts.
+/// The same for bends of 90°, whose points are dense enough that one more or less hardly counts.
 const BY_SQUARE_BENDS: f64 = 0.999;
 /// How often the angle of flat bends is bisected: to the last bit.
 const BISECTIONS: usize = 60;

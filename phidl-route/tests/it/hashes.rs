@@ -1,4 +1,4 @@
-//! The hash tables of the specification.
+//! Hashes of routes, measured on PHIDL.
 
 use phidl_core::prelude::*;
 use phidl_path::{CrossSection, Section};
@@ -90,7 +90,7 @@ fn widths_of_all_forms_have_the_hashes_of_the_specification() {
 
 #[test]
 fn bends_that_take_up_a_leg_leave_no_repeated_point() {
-    // The hash of the specification, 4fe2c0ec…, is that of an outline with two bends whose ends repeat each other but for
+    // PHIDL's hash, 4fe2c0ec…, is that of an outline with two bends whose ends repeat each other but for
     // noise. Its box reaches to −62.500013: the noise is taken for a direction. See `path.extrude` in the table of differences.
     let j = corner().radius(10).path_type(J).length1(60).length2(20).build().unwrap();
     assert_eq!(j.polygons().next().unwrap().points.len(), 2158 - 2);

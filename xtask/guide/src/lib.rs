@@ -11,6 +11,14 @@ struct Readme;
 struct FirstChip;
 
 #[cfg(doctest)]
+#[doc = include_str!("../../../docs/guide/waveguides.md")]
+struct Waveguides;
+
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/guide/routing.md")]
+struct Routing;
+
+#[cfg(doctest)]
 #[doc = include_str!("../../../docs/guide/rust-for-python.md")]
 struct RustForPython;
 

@@ -1,7 +1,7 @@
 //! `cargo xtask gallery`: the example of every registered device as a figure, all on one sheet, all calls on one page.
 //!
 //! The figures are in the documentation: `#[device(picture = …)]` names a file that is part of the repository. So they
-//! can go stale, and a test here fails when one has; `--bless` draws them anew.
+//! can go stale, and a test here fails when one has; `--bless` draws them again.
 
 mod paths;
 mod sheet;
@@ -76,7 +76,7 @@ fn check(drawn: &[Drawn]) -> anyhow::Result<()> {
         .map(|file| file.path.display().to_string())
         .collect();
     if !stale.is_empty() {
-        bail!("not what is drawn now: {}; `cargo xtask gallery --bless` draws them anew", stale.join(", "));
+        bail!("not what is drawn now: {}; `cargo xtask gallery --bless` draws them", stale.join(", "));
     }
     println!("{} drawings are up to date", drawn.len());
     Ok(())

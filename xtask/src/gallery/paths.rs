@@ -99,7 +99,7 @@ fn routes() -> Result<Device> {
     )
 }
 
-/// Things in rows, so far apart (µm), each with its name below.
+/// Devices in rows at a distance (µm), each with its name below.
 pub(super) fn rows<const N: usize>(gap: f64, rows: [Vec<(&str, Device)>; N]) -> Result<Device> {
     let name_gap = gap / 3.0;
     let mut d = Device::builder("figure");

@@ -11,14 +11,14 @@ mod routing_tutorial;
 #[path = "../../../phidl-path/examples/waveguide_tutorial.rs"]
 mod waveguide_tutorial;
 
-/// Drawings stand apart by this part of their width all together.
+/// The gap between drawings, as a part of their total width.
 const APART: f64 = 1.0 / 12.0;
 
 /// The pictures of all chapters.
 pub(super) fn all() -> anyhow::Result<Vec<Drawn>> {
     let tutorials = [
-        ("phidl-path/docs/waveguide_tutorial", waveguide_tutorial::chapters()),
-        ("phidl-route/docs/routing_tutorial", routing_tutorial::chapters()),
+        ("docs/guide/waveguides", waveguide_tutorial::chapters()),
+        ("docs/guide/routing", routing_tutorial::chapters()),
     ];
     let mut all = Vec::new();
     for (folder, chapters) in tutorials {
