@@ -85,6 +85,18 @@ pub enum IoError {
         /// What is wrong.
         problem: Box<str>,
     },
+    /// A file of layer properties breaks the rules of XML or of its format.
+    #[error("{file}, line {line}, column {column}: {problem}")]
+    Xml {
+        /// The file.
+        file: Box<str>,
+        /// The line, from 1.
+        line: u32,
+        /// The column, from 1.
+        column: u32,
+        /// What is wrong.
+        problem: Box<str>,
+    },
     /// Every cell of the file is placed by another one, or there is none; a cell must be named.
     #[error("{file}: there is no top cell; {}", known(.cells))]
     NoTopCell {

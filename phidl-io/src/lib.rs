@@ -7,6 +7,7 @@
 //! | [`json`] | a device described for comparing; generators, parameters and ports beside a mask file |
 //! | [`weld`] | joints that do not gap: found across the hierarchy, written with one grid point for each corner |
 //! | `cli` | commands that list and draw the generators of a program (feature `cli`) |
+//! | [`lyp`] | KLayout's layer properties: colors, patterns and groups of layers |
 //! | [`Summary`] | a mask in a few numbers: cells, polygons, areas, labels, box, SHA-256 |
 //! | [`atomic`] | the one way in which files are written: whole, or not at all |
 //!
@@ -20,6 +21,7 @@ mod distinct;
 mod error;
 pub mod gds;
 pub mod json;
+pub mod lyp;
 pub mod mask;
 mod summary;
 pub mod svg;

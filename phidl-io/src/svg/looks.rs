@@ -25,9 +25,14 @@ const fn color(red: u8, green: u8, blue: u8) -> Color {
     Color { red, green, blue }
 }
 
+/// The color of a layer that has none of its own.
+pub(crate) fn palette(layer: Layer) -> Color {
+    PALETTE[usize::from(layer.number) % PALETTE.len()]
+}
+
 /// Color and opacity of a layer.
 pub(super) fn looks(layer: Layer, set: &LayerSet) -> (Color, f64) {
     let named = set.find(layer);
-    let color = named.and_then(|named| named.color).unwrap_or(PALETTE[usize::from(layer.number) % PALETTE.len()]);
+    let color = named.and_then(|named| named.color).unwrap_or_else(|| palette(layer));
     (color, named.map_or(ALPHA, |named| named.alpha))
 }

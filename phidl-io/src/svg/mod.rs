@@ -14,6 +14,7 @@ mod array;
 mod document;
 mod figure;
 mod looks;
+pub(crate) use looks::palette;
 mod number;
 
 use std::path::Path;

@@ -5,6 +5,7 @@ mod files;
 mod foreign;
 mod fuzzed;
 mod hierarchy;
+mod lyp;
 mod round_trip;
 mod weld;
 mod weld_chains;
