@@ -167,7 +167,7 @@ mod tests {
     #[test]
     fn an_invalid_shape_is_refused_with_its_number() {
         let error = drawn(&vec![vec![(0, 0), (1, 0), (0, 1)], vec![(0, 0), (1, 0)]]).unwrap_err();
-        assert!(error.report().starts_with("in shape 1 of a list: operand: an outline of 2 points"), "{error:?}");
+        assert!(error.report().starts_with("in shape 1 of a list: operand: an outline has 2 points"), "{error:?}");
         assert!(drawn(&[(0.0, f64::NAN), (1.0, 0.0), (0.0, 1.0)]).is_err());
     }
 }

@@ -11,6 +11,8 @@
 //! | sweep | [`sweep`] | chains of a strip | `BoundaryEdges` |
 //! | ring assembly | [`trace`] | boundary edges of all strips | [`Region`] |
 //!
+//! Operands whose edges are all axis-parallel skip the stages from segments on: see [`rectilinear`].
+//!
 //! # Why the result does not depend on the division
 //!
 //! A boolean on an integer grid has one hard question: the crossing of two segments is almost never a grid point, so the
@@ -43,6 +45,7 @@ mod input;
 mod isolated;
 mod predicates;
 mod radix;
+mod rectilinear;
 mod segment;
 mod segment_set;
 mod snap;
@@ -91,7 +94,12 @@ pub(crate) fn resolve(operands: [Operand; 2], rule: Rule, options: &RunOptions) 
 }
 
 fn run(operands: [Operand; 2], rule: Rule, options: &RunOptions) -> Result<Region, BooleanError> {
-    run_around(&IsolatedPolygons::find(&operands), operands, rule, options)
+    let isolated = IsolatedPolygons::find(&operands);
+    let contours: usize = operands.iter().map(|operand| operand.contours().len()).sum();
+    if 2 * isolated.len() < contours && rectilinear::is_rectilinear(&operands) {
+        return rectilinear::resolve(&operands, rule, options.monitor);
+    }
+    run_around(&isolated, operands, rule, options)
 }
 
 /// Runs all stages but the first for the contours that are not isolated.
@@ -200,6 +208,50 @@ mod tests {
             }
             let rule = Rule { operation: Operation::Or, fill: Fill::Positive };
             same_without_isolated([Operand::Oriented(&a), Operand::Oriented(&Contours::new())], rule)?;
+        }
+    }
+
+    /// Rectangles, staircases, and rectilinear figures that cross and retrace themselves, on a coarse grid.
+    fn rectilinear_shapes() -> impl Strategy<Value = Contours> {
+        let rectangle = (0..30i64, 0..30i64, 1..12i64, 1..12i64, any::<bool>()).prop_map(|(x, y, w, h, clockwise)| {
+            let mut points = vec![(x, y), (x + w, y), (x + w, y + h), (x, y + h)];
+            if clockwise {
+                points.reverse();
+            }
+            points
+        });
+        let walk = prop::collection::vec((0..30i64, 0..30i64), 1..7).prop_map(|corners| {
+            // Each corner is reached along x, then along y; the last leg closes the contour likewise.
+            let next = corners.iter().cycle().skip(1);
+            corners.iter().zip(next).flat_map(|(&(x0, y0), &(x1, _))| [(x0, y0), (x1, y0)]).collect()
+        });
+        let shapes = prop::collection::vec(prop_oneof![3 => rectangle, 1 => walk], 0..25);
+        shapes.prop_map(|shapes| {
+            shapes.into_iter().map(|s| s.into_iter().map(GridPoint::from).collect::<Vec<_>>()).collect()
+        })
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(300))]
+
+        #[test]
+        fn rectilinear_operations_give_the_result_of_the_general_stages(
+            a in rectilinear_shapes(), b in rectilinear_shapes(), positive in any::<bool>(),
+        ) {
+            let options = RunOptions::default();
+            let fill = if positive { Fill::Positive } else { Fill::NonZero };
+            for operation in [Operation::Or, Operation::And, Operation::Not, Operation::BMinusA, Operation::Xor] {
+                for operands in [
+                    [Operand::Shapes(&a), Operand::Shapes(&b)],
+                    [Operand::Oriented(&a), Operand::Shapes(&b)],
+                    [Operand::Oriented(&a), Operand::Oriented(&b)],
+                ] {
+                    let rule = Rule { operation, fill };
+                    prop_assert!(rectilinear::is_rectilinear(&operands));
+                    let general = run_around(&IsolatedPolygons::none(&operands), operands, rule, &options).unwrap();
+                    prop_assert_eq!(rectilinear::resolve(&operands, rule, None).unwrap(), general);
+                }
+            }
         }
     }
 

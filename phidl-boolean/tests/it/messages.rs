@@ -65,7 +65,7 @@ fn sentences_of_functions_on_devices() {
     expect![[r#"
         boolean: operation is "A*B", but it must be one of or, A+B, and, A&B, not, A-B, B-A, xor, A^B
         union: in cell far: shape 0: coordinate 1000000000 µm is not a number within ±2^40 grid steps (±109951162.7776 µm at this precision)
-        in union: in shape 1 of a list: shapes: an outline of 2 points encloses nothing; at least 3 are needed
+        in union: in shape 1 of a list: shapes: an outline has 2 points, but it needs at least 3
         union: precision is 0 µm, but it must be finite and greater than 0 µm
         union: max_points is 2, but it must be at least 3
         offset: distance is NaN, but it must be within ±2^40 grid steps
