@@ -14,6 +14,15 @@ pub(crate) fn path(given: Option<&Path>) -> TokenStream {
     given.map_or_else(by_dependencies, |path| quote!(#path))
 }
 
+/// The path, so that an error in code which begins with it is shown at other tokens.
+pub(crate) fn at(root: &TokenStream, span: Span) -> TokenStream {
+    let moved = root.clone().into_iter().map(|mut token| {
+        token.set_span(span.resolved_at(token.span()));
+        token
+    });
+    moved.collect()
+}
+
 fn by_dependencies() -> TokenStream {
     for package in ["phidl-core", "phidl"] {
         match crate_name(package) {

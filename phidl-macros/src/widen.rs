@@ -7,6 +7,8 @@ use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::{Expr, GenericArgument, PathArguments, PathSegment, Type};
 
+use crate::root;
+
 /// How an argument becomes a parameter.
 pub(crate) enum Widen {
     /// As it is: an integer literal could not decide its type otherwise.
@@ -56,7 +58,7 @@ impl Widen {
     /// The parameter made of an argument.
     pub(crate) fn convert(&self, argument: TokenStream, root: &TokenStream) -> TokenStream {
         let span = argument.span();
-        let function = self.function(span, root);
+        let (function, root) = (self.function(span, root), &root::at(root, span));
         match self {
             Self::Same => argument,
             Self::Into | Self::Option(_) => quote_spanned!(span=> #function(#argument)),
@@ -82,6 +84,7 @@ impl Widen {
 
     /// A function of one argument that converts it.
     fn function(&self, span: Span, root: &TokenStream) -> TokenStream {
+        let root = &root::at(root, span);
         match self {
             Self::Same => quote_spanned!(span=> ::core::convert::identity),
             Self::Into => quote_spanned!(span=> #root::__private::widen),

@@ -7,6 +7,7 @@ use syn::spanned::Spanned;
 use super::docs;
 use super::params::{default_name, field_from_argument};
 use crate::model::Generator;
+use crate::root;
 
 pub(super) fn expand(generator: &Generator) -> TokenStream {
     let Generator { attributes, visibility, name, struct_name, output, root, .. } = generator;
@@ -27,6 +28,7 @@ pub(super) fn expand(generator: &Generator) -> TokenStream {
         }
     });
     // At the result, which may be another `Result`.
+    let root = root::at(root, output.span());
     let build = quote_spanned!(output.span()=> #root::__private::Generator::build(&#struct_name { #(#fields),* }));
     quote! {
         #lines

@@ -7,7 +7,7 @@ use syn::spanned::Spanned;
 use super::docs;
 use super::params::default_name;
 use crate::model::{CHECK, Generator, Parameter};
-use crate::unit;
+use crate::{root, unit};
 
 pub(super) fn expand(generator: &Generator) -> TokenStream {
     let (cfgs, struct_name, root) = (&generator.attributes.cfgs, &generator.struct_name, &generator.root);
@@ -68,7 +68,8 @@ fn row(param: &Parameter, root: &TokenStream) -> TokenStream {
         quote!(#side: ::core::option::Option::Some(#limit))
     });
     // At the type, where it says that it cannot be a parameter, if so.
-    let new = quote_spanned!(ty.span()=> #root::__private::ParamSpec::new::<#ty>);
+    let at_type = root::at(root, ty.span());
+    let new = quote_spanned!(ty.span()=> #at_type::__private::ParamSpec::new::<#ty>);
     quote! {
         #new(#registered, #docs, #unit, #root::__private::Bounds { #(#sides,)* ..#root::__private::Bounds::NONE })
     }
@@ -78,6 +79,7 @@ fn record(generator: &Generator) -> TokenStream {
     let root = &generator.root;
     let entries = generator.params.iter().map(|param| {
         let Parameter { name, registered, ty, .. } = param;
+        let root = root::at(root, ty.span());
         let value = quote_spanned!(ty.span()=> #root::__private::Param::to_value(&self.#name));
         quote!((#registered, #value))
     });
@@ -110,6 +112,7 @@ fn defaults(generator: &Generator) -> TokenStream {
         let (default, ty) = (default_name(param), &param.ty);
         match &param.default {
             Some(_) => {
+                let root = root::at(root, ty.span());
                 let value = quote_spanned!(ty.span()=> #root::__private::Param::to_value(&Self::#default()));
                 quote!(::core::option::Option::Some(#value))
             }
@@ -149,7 +152,8 @@ fn draw(generator: &Generator) -> TokenStream {
         let name = &param.name;
         quote!(self.#name)
     });
-    let call = quote_spanned!(output.span()=> __draw(#root::__private::check::<Self>(), #(#values),*));
+    let at_output = root::at(root, output.span());
+    let call = quote_spanned!(output.span()=> __draw(#at_output::__private::check::<Self>(), #(#values),*));
     quote! {
         fn draw(self) -> #root::__private::Result<#root::__private::Device> {
             #(#lints)*
