@@ -1,4 +1,4 @@
-//! Every registered shape, drawn anew each time. `cargo xtask bench shapes` puts the times beside PHIDL's.
+//! Every registered shape, drawn again each time. `cargo xtask bench shapes` puts the times beside PHIDL's.
 //!
 //! Nothing comes from the cache: not the shape, and not the shapes that it is made of.
 

@@ -207,7 +207,7 @@ mod tests {
 
     #[test]
     fn a_name_stands_inside_the_marks_at_its_side() {
-        // The ink of the default name is 420 × 140 µm in the specification, which names these boxes.
+        // The ink of the default name is 420 × 140 µm in PHIDL, where these boxes were measured.
         let (ink, inside) = (Size::new(420.0, 140.0), Point::new(4880.0, 4880.0));
         let at = |location: TextLocation| {
             let (center, half) = (location.center(ink, inside), Point::new(210.0, 70.0));

@@ -157,7 +157,7 @@ pub fn ytron_round(
 
 /// The lower part of a circle that stands on the origin, from arm to arm.
 fn tip(check: Check<'_>, rho: f64, theta: f64, resolution: f64) -> Result<Vec<Point>> {
-    // In radians, as the specification counts: in degrees another quotient might be whole.
+    // In radians, as PHIDL counts: in degrees another quotient might be whole.
     let steps = (PI - 2.0 * theta.to_radians()) / resolution.to_radians();
     let points = count::up(steps.floor()) + 2;
     check.at_most("number of points", points, count::MOST - 16)?;

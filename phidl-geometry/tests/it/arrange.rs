@@ -1,4 +1,4 @@
-//! Grids and sweeps against the reference results of the specification.
+//! Grids and sweeps against the results measured on PHIDL.
 
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -10,7 +10,7 @@ use phidl_geometry as pg;
 use phidl_macros::device;
 use proptest::prelude::*;
 
-/// The five rectangles of the specification.
+/// Five rectangles that PHIDL arranged.
 fn five() -> Vec<Device> {
     [(1, 2), (3, 1), (2, 5), (4, 4), (1, 1)].map(|size| pg::rectangle(size, 0).unwrap()).to_vec()
 }
@@ -32,7 +32,7 @@ fn hash(device: &Device) -> String {
 
 static DRAWN: AtomicUsize = AtomicUsize::new(0);
 
-/// The rectangle of the specification's sweeps.
+/// The rectangle that PHIDL swept.
 #[device]
 fn scaled(
     #[default(1)]
@@ -161,7 +161,7 @@ fn sweeps_have_the_hashes_of_the_reference() {
     assert!(circles.labels().is_empty());
 }
 
-/// The example of the specification.
+/// The example of PHIDL.
 fn example() -> pg::GridsweepParams {
     pg::GridsweepParams::new(ScaledParams::default())
         .param_x([("width", [4, 5])])

@@ -1,4 +1,4 @@
-//! The built-in font: its metrics against the specification, and that no part of it can fall out or close up.
+//! The built-in font: its metrics against those of PHIDL, and that no part of it can fall out or close up.
 //!
 //! The second engine judges: what offsetting inwards and outwards again removes from the ink (or from what is around it)
 //! was narrower than twice the offset, but for what any corner loses.
@@ -18,7 +18,7 @@ const SHARPEST: f64 = 55.0;
 /// Character, indent, width, ink along x and y, polygons.
 type Metrics = (char, i32, i32, [i32; 2], [i32; 2], usize);
 
-/// The table of the specification.
+/// The table of PHIDL.
 #[rustfmt::skip]
 const METRICS: [Metrics; 95] = [
     ('!', 100, 400, [100, 300], [-100, 1100], 2),

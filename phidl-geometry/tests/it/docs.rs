@@ -30,7 +30,7 @@ fn shapes() -> impl Iterator<Item = &'static GeneratorInfo> {
     registry::all().filter(|entry| entry.module.starts_with("phidl_geometry"))
 }
 
-/// Runs a check over all shapes and tells everything that is missing, not only the first thing.
+/// Runs a check over all shapes and reports all that is missing, not only the first item.
 fn for_every_shape(check: impl Fn(&'static GeneratorInfo, &mut Vec<String>)) {
     let mut missing = Vec::new();
     shapes().for_each(|entry| check(entry, &mut missing));

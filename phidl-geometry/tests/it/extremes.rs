@@ -25,7 +25,7 @@ const SHAPES: [&str; 13] = [
 ];
 
 const NUMBERS: [f64; 12] = [0.0, -1.0, 1e-300, 1e-12, 1e-3, 0.3, 1.0, 4.0, 1e4, 1e9, 1e300, f64::NAN];
-/// One number in so many is replaced: of a cell with all of them replaced, the first bound would be the only one tested.
+/// One number in this many is replaced: of a cell with all of them replaced, the first bound would be the only one tested.
 const REPLACED_ONE_IN: usize = 5;
 const COUNTS: [i64; 6] = [-1, 0, 1, 2, 7, 1000];
 

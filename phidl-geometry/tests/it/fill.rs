@@ -5,7 +5,7 @@ use phidl_core::registry;
 use phidl_geometry as pg;
 use proptest::prelude::*;
 
-/// The square of the specification, in a box of 50 × 50.
+/// The square that PHIDL filled, in a box of 50 × 50.
 fn square() -> pg::FillRectangleParams {
     let mut d = Device::builder("square");
     d.add(pg::rectangle((10, 10), 0).unwrap().place().moved_by((20, 20)));

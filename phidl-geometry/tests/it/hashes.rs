@@ -1,4 +1,4 @@
-//! The tables of hashes in `spec/geometry-basic.md` §7, measured on the reference library.
+//! Hashes of shapes, measured on PHIDL.
 
 use phidl_core::prelude::*;
 use phidl_geometry as pg;

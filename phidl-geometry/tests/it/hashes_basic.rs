@@ -1,4 +1,4 @@
-//! Geometry hashes of the specification's tables, which other implementations reproduce.
+//! Geometry hashes of shapes, measured on PHIDL.
 
 use std::collections::BTreeMap;
 

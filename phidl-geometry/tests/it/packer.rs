@@ -1,7 +1,7 @@
 //! Packing: no overlap, the spacing, the largest bin, and at least the density of the reference.
 //!
 //! The densities stated here are those of PHIDL 1.7.2 with rectpack 0.2.2: the area of the bounding boxes of the packed
-//! devices over the area of the bin's bounding box, for the cases of the specification (sizes in µm).
+//! devices over the area of the bin's bounding box, for cases measured on PHIDL (sizes in µm).
 
 use phidl_core::prelude::*;
 use phidl_geometry as pg;
@@ -11,7 +11,7 @@ fn rectangles(sizes: impl IntoIterator<Item = (f64, f64)>) -> Vec<Device> {
     sizes.into_iter().map(|size| pg::rectangle(size, 0).unwrap()).collect()
 }
 
-/// The thirty rectangles of the specification.
+/// Thirty rectangles that PHIDL packed.
 fn thirty() -> Vec<Device> {
     rectangles((0..30).map(|i| (f64::from(1 + i % 7), f64::from(1 + 3 * i % 5))))
 }

@@ -1,4 +1,4 @@
-//! `placement.json`: small scripts of placement words, run on references and on the cell that holds them.
+//! `placement.json`: small scripts of placement methods, run on references and on the cell that holds them.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! The first tutorial, as `examples/quick_start.rs` has it.
+//! The first tutorial, `examples/quick_start.rs`.
 
 #[path = "../../examples/quick_start.rs"]
 mod example;

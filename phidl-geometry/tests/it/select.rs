@@ -1,4 +1,4 @@
-//! Copying and selecting, against the facts of the specification.
+//! Copying and selecting, against facts measured on PHIDL.
 
 use phidl_core::prelude::*;
 use phidl_core::registry;

@@ -1,11 +1,11 @@
-//! Lettering in the built-in font: boxes of the specification, justification, errors.
+//! Lettering in the built-in font: boxes measured on PHIDL, justification, errors.
 
 use pg::TextParams;
 use pg::text::Justify;
 use phidl_core::prelude::*;
 use phidl_geometry as pg;
 
-/// A box to six digits, which is what the specification gives.
+/// A box to six digits, as measured on PHIDL.
 pub(crate) fn assert_box(device: &Device, [x0, y0, x1, y1]: [f64; 4]) {
     let ink = device.bbox().expect("something is drawn");
     let near = ink.min.distance(Point::new(x0, y0)) < 1e-6 && ink.max.distance(Point::new(x1, y1)) < 1e-6;

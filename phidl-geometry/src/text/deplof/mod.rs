@@ -14,7 +14,7 @@
 //! | [`SPACE`]: advance of a space | 500 | 5 µm |
 //! | left indent of most glyphs: the space between letters | 100 | 1 µm |
 //!
-//! Indents, widths, advances and ink boxes are those of the specification; the drawings are our own. All coordinates are
+//! Indents, widths, advances and ink boxes are those of docs/reference/text.md; the drawings are our own. All coordinates are
 //! whole units, so a stroke that is neither level, upright nor diagonal may be a unit wider or narrower, and a size of
 //! whole micrometers puts every vertex on a grid of 1 nm. Corners are 55° or blunter on both sides; inside an acute one
 //! the notch is filled to where it is 100 wide.
