@@ -152,7 +152,7 @@ mod tests {
     #[test]
     fn a_constriction_is_as_long_and_as_wide_as_specified() {
         let (d, half_length) = constriction(0.25, 0.75, &0.into()).unwrap();
-        // The specification names the box (-1.98219460, -0.375)–(2.95046576, 0.375), about another origin.
+        // PHIDL draws the box (-1.98219460, -0.375)–(2.95046576, 0.375), about another origin.
         assert!((2.0 * half_length - (2.950_465_76 + 1.982_194_60)).abs() < 1e-7);
         let expected = Rect::new((-half_length, -0.375), (half_length, 0.375));
         let bbox = d.bbox().unwrap();

@@ -14,7 +14,7 @@ pub enum RouteBend {
     Circular,
     /// An Euler bend: the curvature rises to 1/radius and falls. Nearly twice as large as the arc of the radius.
     ///
-    /// (The specification has bends as large as the arc, which are nearly twice as tight as their radius;
+    /// (PHIDL 1.5 has bends as large as the arc, which are nearly twice as tight as their radius;
     /// [`route_smooth`](fn@crate::route_smooth) draws those.)
     Euler,
     /// An arc whose curvature rises and falls in ten steps; about half as large again as the arc of the radius.
