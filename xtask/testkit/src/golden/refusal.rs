@@ -37,8 +37,9 @@ fn class_of(case: &Case, error: &Error) -> Refusal {
     }
 }
 
-/// Whether the refused parameter is a name among choices, or a map by names.
+/// Whether the refused parameter, which a text names, is a name among choices, or a map by names.
 fn is_word(case: &Case, param: &str) -> bool {
-    let root = param.split(['.', '[']).next().unwrap_or_default();
-    case.parameter(root).is_some_and(|value| value.is_string() && root != "text" || value.is_object())
+    let is_choice =
+        |name: &str| case.parameter(name).is_some_and(|value| value.is_string() && name != "text" || value.is_object());
+    param.split([' ', '.', '[']).any(is_choice)
 }
