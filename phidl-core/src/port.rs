@@ -191,6 +191,11 @@ impl Transformable for Port {
         self.width *= by.magnification;
     }
 
+    /// The midpoint, as in PHIDL.
+    fn pivot(&self) -> Point {
+        self.midpoint
+    }
+
     fn defer(&mut self, error: DeferredError) {
         self.deferred.get_or_insert(Box::new(error));
     }

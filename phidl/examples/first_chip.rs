@@ -48,7 +48,7 @@ fn chip(gaps: &[f64]) -> Result<Device> {
         let right = d[filter].xmax() + 5.0;
         d[name].set_xmin(right).set_y(y);
     }
-    d.set_center((0, 0));
+    d.set_center(.., (0, 0));
     let die = pg::BasicDieParams::default().size((200, 200)).street_width(10).street_length(40);
     d.add(die.die_name("first chip").text_size(8).layer(DIE).build()?);
     d.build()

@@ -33,20 +33,32 @@ pub enum Reason {
     EmptyMember(usize),
 }
 
+impl Reason {
+    /// Whether an argument is NaN, as the edges of an empty element are.
+    pub(crate) fn is_nan(&self) -> bool {
+        match self {
+            Self::NumberNotFinite(v) => v.is_nan(),
+            Self::PointNotFinite(p) => p.x.is_nan() || p.y.is_nan(),
+            _ => false,
+        }
+    }
+}
+
 impl DeferredError {
     /// The error for it. `device` is the name of the cell, `what` names the element with its article: `the polygon`.
     #[must_use]
     pub fn into_error(self, device: &str, what: &str) -> Error {
         let method = self.method;
-        let not_finite = |value: String, nan: bool| Error::NotFinite {
+        let hint = if self.reason.is_nan() { " (as is every edge of an empty element)" } else { "" };
+        let not_finite = |value: &dyn std::fmt::Display| Error::NotFinite {
             device: device.into(),
             what: format!("the argument of {method} for {what}").into(),
-            value: if nan { format!("{value} (as is every edge of an empty element)") } else { value }.into(),
+            value: format!("{value}{hint}").into(),
         };
         let empty = |what: String| Error::EmptyGeometry { device: device.into(), method, what: what.into() };
         match self.reason {
-            Reason::NumberNotFinite(v) => not_finite(v.to_string(), v.is_nan()),
-            Reason::PointNotFinite(p) => not_finite(p.to_string(), p.x.is_nan() || p.y.is_nan()),
+            Reason::NumberNotFinite(v) => not_finite(&v),
+            Reason::PointNotFinite(p) => not_finite(&p),
             Reason::FactorNotPositive(factor) => Error::invalid(
                 device,
                 format!("the factor of {method} for {what} is {factor}, but it must be greater than 0"),

@@ -4,6 +4,11 @@ use super::DeferredError;
 use crate::geom::{Point, Rect, Size, Transform};
 
 /// What can be moved, rotated, mirrored and scaled as a whole.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot be moved",
+    note = "a finished cell is placed first: `device.place().moved_by((1, 0))`",
+    note = "if this is a `Result`, add `?` to take the value out of it"
+)]
 pub trait Transformable {
     /// Applies a finite transform.
     fn transform_mut(&mut self, by: &Transform);
@@ -12,6 +17,11 @@ pub trait Transformable {
     /// cost the last bit. A type that must keep it (a path, whose directions are hashed) overrides this.
     fn rotate_mut(&mut self, degrees: f64, center: Point) {
         self.transform_mut(&Transform::rotation_about(degrees, center));
+    }
+
+    /// The point about which `rotate` rotates: the origin.
+    fn pivot(&self) -> Point {
+        Point::ORIGIN
     }
 
     /// Mirrors across the line through two different points. Overridden for the same reason as

@@ -55,9 +55,22 @@ pub trait Movable: Transformable + Bounded {
         self.move_by((0, by))
     }
 
-    /// Rotates about the origin.
+    /// Moves along x only, by the distance from `origin` to `destination`: points, ports, or pairs.
+    fn movex_to(&mut self, origin: impl Into<Point>, destination: impl Into<Point>) -> &mut Self {
+        let by = destination.into() - origin.into();
+        self.movex(by.x)
+    }
+
+    /// Moves along y only, by the distance from `origin` to `destination`: points, ports, or pairs.
+    fn movey_to(&mut self, origin: impl Into<Point>, destination: impl Into<Point>) -> &mut Self {
+        let by = destination.into() - origin.into();
+        self.movey(by.y)
+    }
+
+    /// Rotates about the origin; a port, which is a point with a direction, about its midpoint.
     fn rotate(&mut self, degrees: impl Into<f64>) -> &mut Self {
-        self.rotate_about(degrees, Point::ORIGIN)
+        let pivot = self.pivot();
+        self.rotate_about(degrees, pivot)
     }
 
     /// Rotates about a point.
@@ -118,7 +131,7 @@ pub trait Movable: Transformable + Bounded {
         self
     }
 
-    /// Rotated about the origin.
+    /// Rotated about the origin; a port about its midpoint.
     #[must_use]
     fn rotated(mut self, degrees: impl Into<f64>) -> Self
     where

@@ -86,13 +86,15 @@ impl Addable for Label {
 }
 
 impl Addable for Element {
-    type Key = Key;
+    type Key = Vec<Key>;
 
-    fn add_to(self, cell: &mut DeviceBuilder) -> Key {
+    /// One key, or those of all members of a group.
+    fn add_to(self, cell: &mut DeviceBuilder) -> Vec<Key> {
         match self {
-            Self::Reference(reference) => reference.add_to(cell).into(),
-            Self::Polygon(polygon) => polygon.add_to(cell).into(),
-            Self::Label(label) => label.add_to(cell).into(),
+            Self::Reference(reference) => vec![reference.add_to(cell).into()],
+            Self::Polygon(polygon) => vec![polygon.add_to(cell).into()],
+            Self::Label(label) => vec![label.add_to(cell).into()],
+            Self::Group(group) => group.add_to(cell),
         }
     }
 }
@@ -104,7 +106,7 @@ impl Addable for Group {
         if let Some(error) = self.deferred() {
             cell.defer_error(error.into_error(&cell.cell.name, "the group"));
         }
-        self.into_iter().map(|member| member.add_to(cell)).collect()
+        self.into_iter().flat_map(|member| member.add_to(cell)).collect()
     }
 }
 

@@ -5,9 +5,8 @@ use std::collections::BTreeMap;
 use smol_str::SmolStr;
 
 use super::addable::Addable;
-use super::cell::Alias;
 use super::key_space::KeySpace;
-use super::{Cell, Device, Label, LabelKey, OpenCell, PolygonKey, Reference, ReferenceKey};
+use super::{Cell, Device, Key, Label, LabelKey, OpenCell, PolygonKey};
 use crate::error::{Error, ItemKind, Result};
 use crate::geom::{Outline, Point, Rect, Transform};
 use crate::layer::{Layer, Layers};
@@ -28,8 +27,7 @@ use crate::port::Port;
 /// let mut d = Device::builder("two_pads");
 /// let left = d.add_as("left", &pad);
 /// let right = d.add(&pad);
-/// let edge = d["left"].xmax();
-/// d[right].mirror((0, 0), (0, 1)).set_xmin(edge + 5.0);
+/// d.mirror(right, (0, 0), (0, 1)).set_xmin(right, d.xmax("left") + 5.0);
 /// d.add_port("out", d[left].port("e")?)?;
 /// assert_eq!(d.build()?.bbox(), Some(Rect::new((0, 0), (85, 20))));
 /// # Ok::<(), phidl_core::Error>(())
@@ -40,17 +38,23 @@ use crate::port::Port;
 /// fail: the cell keeps the first invalid one (a coordinate that is not finite, an alias that is taken, a key of another
 /// cell) as a deferred error, which [`DeviceBuilder::check`] and [`DeviceBuilder::build`] return, and nothing else does.
 ///
+/// # Placement methods
+/// They take the elements that they act on first: a key, an alias, a list, or `..` for the whole cell (see [`Target`](super::Target)):
+/// `d.rotate(key, 45)`, `d.align([a, b], Edge::YMax)`, `d.move_by(.., (10, 0))`, `d.xmax(..)`.
+///
 /// # Keys
 /// A key belongs to the open cell that made it. A clone of the open cell accepts the keys that existed when it was made;
 /// keys that either of the two makes later are its own. [`Device::edit`] opens a cell with keys of its own, which
 /// [`DeviceBuilder::reference_keys`] and its siblings list.
 ///
 /// # Panics
-/// `d[key]` and `d["alias"]` panic like a `Vec` if the key or alias finds nothing or belongs to another cell;
+/// `d[key]`, and reading `d["alias"]`, panic like a `Vec` if the key or alias finds nothing or belongs to another cell;
 /// [`DeviceBuilder::reference`] and [`DeviceBuilder::get`] return an error instead.
 pub struct DeviceBuilder {
     pub(crate) cell: OpenCell,
     pub(super) keys: KeySpace,
+    /// Names of polygons and labels. Those of references are part of the cell.
+    pub(super) aliases: BTreeMap<SmolStr, Key>,
     deferred: Option<Box<Error>>,
 }
 
@@ -62,7 +66,7 @@ impl DeviceBuilder {
     }
 
     pub(crate) fn from_cell(cell: Cell) -> Self {
-        Self { keys: KeySpace::new(&cell.name), cell: cell.into(), deferred: None }
+        Self { keys: KeySpace::new(&cell.name), cell: cell.into(), aliases: BTreeMap::new(), deferred: None }
     }
 
     /// Adds an element at the end: a reference, a device (at the origin), a polygon, a label, a group, or a list of them.
@@ -70,19 +74,6 @@ impl DeviceBuilder {
     /// An invalid element is a deferred error.
     pub fn add<A: Addable>(&mut self, element: A) -> A::Key {
         element.add_to(self)
-    }
-
-    /// Adds a reference under an alias: `d["alias"]` is the reference from then on.
-    ///
-    /// An alias that is taken is a deferred error.
-    pub fn add_as(&mut self, alias: &str, reference: impl Into<Reference>) -> ReferenceKey {
-        let key = self.add(reference.into());
-        let index = self.cell.references.len() - 1;
-        if self.cell.aliases.push(Alias { name: SmolStr::new(alias), index }).is_err() {
-            let device = self.cell.name.as_str().into();
-            self.defer_error(Error::Duplicate { device, kind: ItemKind::Alias, name: alias.into() });
-        }
-        key
     }
 
     /// Draws an outline (pairs or two coordinate lists) on one layer, several, or none; one copy on each.
@@ -108,6 +99,25 @@ impl DeviceBuilder {
             [_, others @ ..] => others.iter().for_each(|layer| cell.polygons.repeat(index, *layer)),
         }
         Ok(key)
+    }
+
+    /// Draws several outlines on the same layers; all of them, or none if one is refused.
+    ///
+    /// # Errors
+    /// As for [`DeviceBuilder::add_polygon`].
+    pub fn add_polygons<O: Outline>(
+        &mut self,
+        outlines: impl IntoIterator<Item = O>,
+        layers: impl Into<Layers>,
+    ) -> Result<Vec<PolygonKey>> {
+        let (layers, before) = (layers.into(), self.cell.polygons.len());
+        let added: Result<Vec<_>> = outlines.into_iter().map(|outline| self.add_polygon(outline, &layers)).collect();
+        if added.is_err() {
+            while self.cell.polygons.len() > before {
+                self.cell.polygons.pop();
+            }
+        }
+        added
     }
 
     /// Reserves memory for a number of polygons with a number of points in all. It only saves time.
@@ -207,7 +217,7 @@ impl DeviceBuilder {
     pub fn check(&self) -> Result<()> {
         match &self.deferred {
             Some(error) => Err((**error).clone()),
-            None => self.check_contents(),
+            None => self.check_aliases().and_then(|()| self.check_contents()),
         }
     }
 
@@ -266,7 +276,12 @@ impl std::fmt::Debug for DeviceBuilder {
 
 impl Clone for DeviceBuilder {
     fn clone(&self) -> Self {
-        Self { keys: self.keys.of_clone(&self.cell), cell: self.cell.clone(), deferred: self.deferred.clone() }
+        Self {
+            keys: self.keys.of_clone(&self.cell),
+            cell: self.cell.clone(),
+            aliases: self.aliases.clone(),
+            deferred: self.deferred.clone(),
+        }
     }
 }
 

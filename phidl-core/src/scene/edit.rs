@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::flat_counts::FLAT_LIMIT;
 use super::flatten::Flat;
 use super::map_cells::rewrite_below;
-use super::{Cell, Device, DeviceBuilder, Key, Keys, Label, PolygonKey, PolygonView, Properties, ReferenceKey};
+use super::{Cell, Device, DeviceBuilder, Key, Label, PolygonKey, PolygonView, Properties, ReferenceKey, Target};
 use crate::error::{Error, ItemKind, Result};
 use crate::geom::simplified;
 use crate::layer::{Layer, Layers};
@@ -20,14 +20,14 @@ pub enum LayerTarget {
 }
 
 impl DeviceBuilder {
-    /// Removes references (with their aliases), polygons (with all copies) and labels: one key, or a list of keys. If one
+    /// Removes references (with their aliases), polygons (with all copies) and labels: by key, alias, or a list. If one
     /// key is refused, nothing is removed.
     ///
     /// # Errors
     /// [`Error::Removed`], [`Error::ForeignKey`].
-    pub fn remove(&mut self, keys: impl Keys) -> Result<&mut Self> {
+    pub fn remove(&mut self, target: impl Target) -> Result<&mut Self> {
         let (mut references, mut polygons, mut labels) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
-        for key in keys.into_keys() {
+        for key in target.keys(self)? {
             match key {
                 Key::Reference(key) => _ = references.insert(self.reference_index(key)?),
                 Key::Polygon(key) => polygons.extend(self.polygon_indices(key)?),

@@ -52,23 +52,6 @@ impl DeviceBuilder {
         Ok(&mut self.cell.references[index])
     }
 
-    /// The reference under an alias.
-    ///
-    /// # Errors
-    /// [`Error::Unknown`] with the aliases that exist.
-    pub fn get(&self, alias: &str) -> Result<&Reference> {
-        Ok(&self.cell.references[self.cell.alias(alias)?])
-    }
-
-    /// The reference under an alias, to be changed.
-    ///
-    /// # Errors
-    /// [`Error::Unknown`] with the aliases that exist.
-    pub fn get_mut(&mut self, alias: &str) -> Result<&mut Reference> {
-        let index = self.cell.alias(alias)?;
-        Ok(&mut self.cell.references[index])
-    }
-
     /// The polygon under a key; of several copies, the first.
     ///
     /// # Errors
@@ -129,26 +112,6 @@ impl Index<ReferenceKey> for DeviceBuilder {
 impl IndexMut<ReferenceKey> for DeviceBuilder {
     fn index_mut(&mut self, key: ReferenceKey) -> &mut Reference {
         match self.reference_mut(key) {
-            Ok(reference) => reference,
-            Err(error) => panic!("{error}"),
-        }
-    }
-}
-
-impl Index<&str> for DeviceBuilder {
-    type Output = Reference;
-
-    fn index(&self, alias: &str) -> &Reference {
-        match self.get(alias) {
-            Ok(reference) => reference,
-            Err(error) => panic!("{error}"),
-        }
-    }
-}
-
-impl IndexMut<&str> for DeviceBuilder {
-    fn index_mut(&mut self, alias: &str) -> &mut Reference {
-        match self.get_mut(alias) {
             Ok(reference) => reference,
             Err(error) => panic!("{error}"),
         }

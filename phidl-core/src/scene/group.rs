@@ -11,9 +11,11 @@ pub enum Element {
     Reference(Reference),
     Polygon(Polygon),
     Label(Label),
+    Group(Group),
 }
 
-/// Several elements handled as one, in their order. `a + b` makes a group.
+/// Several elements handled as one, in their order. `a + b` makes a group. A group in a group is one member: it is moved,
+/// aligned and distributed as a whole. (`group + element` adds to the group on the left, as in PHIDL.)
 ///
 /// For elements that are in an open cell already, see [`DeviceBuilder::group`](super::DeviceBuilder::group).
 ///
@@ -37,11 +39,9 @@ impl Group {
         Self::default()
     }
 
-    /// Adds an element, or the members of another group, at the end.
-    pub fn add(&mut self, other: impl Into<Self>) -> &mut Self {
-        let other = other.into();
-        self.members.extend(other.members);
-        self.deferred = self.deferred.take().or(other.deferred);
+    /// Adds an element, which may be a group, at the end.
+    pub fn add(&mut self, member: impl Into<Element>) -> &mut Self {
+        self.members.push(member.into());
         self
     }
 
@@ -67,6 +67,20 @@ impl Group {
     }
 }
 
+impl std::ops::Index<usize> for Group {
+    type Output = Element;
+
+    fn index(&self, index: usize) -> &Element {
+        &self.members[index]
+    }
+}
+
+impl std::ops::IndexMut<usize> for Group {
+    fn index_mut(&mut self, index: usize) -> &mut Element {
+        &mut self.members[index]
+    }
+}
+
 impl IntoIterator for Group {
     type Item = Element;
     type IntoIter = std::vec::IntoIter<Element>;
@@ -82,16 +96,16 @@ impl FromIterator<Element> for Group {
     }
 }
 
-impl<G: Into<Self>> std::ops::Add<G> for Group {
+impl<E: Into<Element>> std::ops::Add<E> for Group {
     type Output = Self;
-    fn add(mut self, other: G) -> Self {
+    fn add(mut self, other: E) -> Self {
         self += other;
         self
     }
 }
 
-impl<G: Into<Self>> std::ops::AddAssign<G> for Group {
-    fn add_assign(&mut self, other: G) {
+impl<E: Into<Element>> std::ops::AddAssign<E> for Group {
+    fn add_assign(&mut self, other: E) {
         Group::add(self, other);
     }
 }
@@ -138,6 +152,7 @@ impl Bounded for Element {
             Self::Reference(reference) => reference.bbox(),
             Self::Polygon(polygon) => polygon.bbox(),
             Self::Label(label) => label.bbox(),
+            Self::Group(group) => group.bbox(),
         }
     }
 }
@@ -148,6 +163,7 @@ impl Transformable for Element {
             Self::Reference(reference) => reference.transform_mut(by),
             Self::Polygon(polygon) => polygon.transform_mut(by),
             Self::Label(label) => label.transform_mut(by),
+            Self::Group(group) => group.transform_mut(by),
         }
     }
 
@@ -156,6 +172,7 @@ impl Transformable for Element {
             Self::Reference(reference) => reference.defer(error),
             Self::Polygon(polygon) => polygon.defer(error),
             Self::Label(label) => label.defer(error),
+            Self::Group(group) => group.defer(error),
         }
     }
 }
@@ -187,6 +204,12 @@ impl From<Polygon> for Element {
 impl From<Label> for Element {
     fn from(label: Label) -> Self {
         Self::Label(label)
+    }
+}
+
+impl From<Group> for Element {
+    fn from(group: Group) -> Self {
+        Self::Group(group)
     }
 }
 

@@ -1,6 +1,6 @@
 //! [`Label`]: a text at a position. It is not drawn on the mask.
 
-use super::{Group, Properties};
+use super::{Element, Group, Properties};
 use crate::geom::{Point, Rect, Transform};
 use crate::layer::Layer;
 use crate::place::{Bounded, DeferredError, Transformable};
@@ -107,9 +107,9 @@ impl Transformable for Label {
     }
 }
 
-impl<G: Into<Group>> std::ops::Add<G> for Label {
+impl<E: Into<Element>> std::ops::Add<E> for Label {
     type Output = Group;
-    fn add(self, other: G) -> Group {
+    fn add(self, other: E) -> Group {
         Group::from(self) + other
     }
 }

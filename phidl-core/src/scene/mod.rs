@@ -5,6 +5,7 @@
 //! built, and properties of a hierarchy (its bounding box, its hash) can be cached in its top cell.
 
 mod addable;
+mod aliases;
 mod builder;
 mod cell;
 mod cell_id;
@@ -25,12 +26,14 @@ mod named_list;
 mod open;
 #[cfg(feature = "parallel")]
 mod parallel;
+mod placing;
 mod polygon;
 mod polygon_store;
 mod ports;
 mod reference;
 mod selection;
 mod source;
+mod target;
 mod walk;
 
 pub use addable::Addable;
@@ -45,8 +48,9 @@ pub use label::{Anchor, Label};
 pub use polygon::{Polygon, Properties};
 pub use polygon_store::PolygonView;
 pub use reference::{Array, Reference};
-pub use selection::{Keys, Selection};
+pub use selection::Selection;
 pub use source::Source;
+pub use target::{PortTarget, ReferenceTarget, Target};
 pub use walk::{FlatPolygon, FlatPolygons, Instance, Instances};
 
 pub(crate) use cell::Cell;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::Group;
+use super::{Element, Group};
 use crate::geom::{Outline, Point, Rect, Transform, signed_area, simplified};
 use crate::layer::Layers;
 use crate::place::{Bounded, DeferredError, Reason, Transformable};
@@ -78,9 +78,9 @@ impl Transformable for Polygon {
     }
 }
 
-impl<G: Into<Group>> std::ops::Add<G> for Polygon {
+impl<E: Into<Element>> std::ops::Add<E> for Polygon {
     type Output = Group;
-    fn add(self, other: G) -> Group {
+    fn add(self, other: E) -> Group {
         Group::from(self) + other
     }
 }

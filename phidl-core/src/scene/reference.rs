@@ -1,6 +1,6 @@
 //! [`Reference`]: one placement, or a regular array of placements, of a finished cell.
 
-use super::{Device, Group, Properties};
+use super::{Device, Element, Group, Properties};
 use crate::error::{Error, Result};
 use crate::geom::{Point, Rect, Transform};
 use crate::num::angle;
@@ -356,9 +356,9 @@ impl From<&Device> for Reference {
     }
 }
 
-impl<G: Into<Group>> std::ops::Add<G> for Reference {
+impl<E: Into<Element>> std::ops::Add<E> for Reference {
     type Output = Group;
-    fn add(self, other: G) -> Group {
+    fn add(self, other: E) -> Group {
         Group::from(self) + other
     }
 }

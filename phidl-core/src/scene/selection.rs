@@ -1,37 +1,11 @@
 //! [`Selection`]: some elements of an open cell, handled as one.
 
-use super::{DeviceBuilder, Key, LabelKey, PolygonKey, ReferenceKey};
+use std::collections::HashSet;
+
+use super::{DeviceBuilder, Key, Target};
 use crate::error::{Error, Result};
 use crate::geom::{Point, Rect, Transform};
 use crate::place::{Align, Bounded, DeferredError, Reason, Transformable};
-
-/// Keys of elements: one key, or a list of keys.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` is not a key of an open cell, nor a list of keys",
-    note = "`add` returns the key of the element that it adds"
-)]
-pub trait Keys {
-    /// The keys, in order.
-    fn into_keys(self) -> Vec<Key>;
-}
-
-impl<I: IntoIterator<Item: Into<Key>>> Keys for I {
-    fn into_keys(self) -> Vec<Key> {
-        self.into_iter().map(Into::into).collect()
-    }
-}
-
-macro_rules! single_keys {
-    ($($key:ty),*) => {$(
-        impl Keys for $key {
-            fn into_keys(self) -> Vec<Key> {
-                vec![self.into()]
-            }
-        }
-    )*};
-}
-
-single_keys!(Key, ReferenceKey, PolygonKey, LabelKey);
 
 /// Some elements of an open cell, handled as one: they move together, or are aligned and distributed.
 ///
@@ -42,7 +16,7 @@ single_keys!(Key, ReferenceKey, PolygonKey, LabelKey);
 /// # let dot = d.build()?;
 /// let mut d = Device::builder("row");
 /// let keys = [d.add(&dot), d.add(&dot), d.add(&dot)];
-/// d.group(keys).distribute(Direction::X, 4).rotate(90);
+/// d.group(keys).distribute(Direction::X, 4).rotate(90); // or d.distribute(keys, Direction::X, 4).rotate(keys, 90)
 /// assert_eq!(d[keys[2]].transform().origin, Point::new(0.0, 10.0));
 /// # Ok::<(), phidl_core::Error>(())
 /// ```
@@ -51,72 +25,83 @@ single_keys!(Key, ReferenceKey, PolygonKey, LabelKey);
 #[derive(Debug)]
 pub struct Selection<'a> {
     cell: &'a mut DeviceBuilder,
-    keys: Vec<Key>,
+    members: Vec<Vec<Key>>,
+    /// Whether ports move as well.
+    is_whole_cell: bool,
 }
 
 impl DeviceBuilder {
-    /// Some elements of this cell, handled as one. A key given twice counts once; a key that finds nothing or belongs to
-    /// another cell is a deferred error.
-    pub fn group(&mut self, keys: impl Keys) -> Selection<'_> {
-        let mut seen = std::collections::HashSet::new();
-        let mut selection = Selection { cell: self, keys: Vec::new() };
-        for key in keys.into_keys() {
-            match selection.bbox_of(key) {
-                Ok(_) if seen.insert(key) => selection.keys.push(key),
-                Ok(_) => {}
-                Err(error) => selection.cell.defer_error(error),
+    /// Some elements of this cell, handled as one. A key given twice counts once. A key or alias that finds nothing or
+    /// belongs to another cell is a deferred error, and nothing is selected.
+    pub fn group(&mut self, target: impl Target) -> Selection<'_> {
+        let is_whole_cell = target.is_whole_cell();
+        match target.members(self).and_then(|members| self.checked(members)) {
+            Ok(members) => Selection { cell: self, members, is_whole_cell },
+            Err(error) => {
+                self.defer_error(error);
+                Selection { cell: self, members: Vec::new(), is_whole_cell: false }
             }
         }
-        selection
     }
 
     /// One element of this cell, with all placement methods: `d.select(key).rotate(45)`.
     pub fn select(&mut self, key: impl Into<Key>) -> Selection<'_> {
-        self.group([key.into()])
+        self.group(key.into())
     }
 
     /// All polygons and references of this cell, polygons first.
     pub fn select_all(&mut self) -> Selection<'_> {
-        let mut keys: Vec<Key> = self.polygon_keys().map(Key::from).collect();
-        keys.extend(self.reference_keys().map(Key::from));
-        Selection { cell: self, keys }
+        let members = self.polygon_keys().map(Key::from).chain(self.reference_keys().map(Key::from));
+        let members = members.map(|key| vec![key]).collect();
+        Selection { cell: self, members, is_whole_cell: false }
     }
-}
 
-impl Selection<'_> {
-    fn bbox_of(&self, key: Key) -> Result<Option<Rect>> {
+    /// Members whose keys all find an element, each key once.
+    fn checked(&self, mut members: Vec<Vec<Key>>) -> Result<Vec<Vec<Key>>> {
+        let mut seen = HashSet::new();
+        for member in &mut members {
+            member.iter().try_for_each(|key| self.bbox_of_key(*key).map(drop))?;
+            member.retain(|key| seen.insert(*key));
+        }
+        members.retain(|member| !member.is_empty());
+        Ok(members)
+    }
+
+    pub(super) fn bbox_of_key(&self, key: Key) -> Result<Option<Rect>> {
         Ok(match key {
-            Key::Reference(key) => self.cell.reference(key)?.bbox(),
-            Key::Label(key) => self.cell.label(key)?.bbox(),
+            Key::Reference(key) => self.reference(key)?.bbox(),
+            Key::Label(key) => self.label(key)?.bbox(),
             Key::Polygon(key) => {
-                let indices = self.cell.polygon_indices(key)?;
-                let view = indices.first().map(|index| self.cell.cell.polygons.get(*index));
+                let indices = self.polygon_indices(key)?;
+                let view = indices.first().map(|index| self.cell.polygons.get(*index));
                 view.and_then(|view| Rect::around(view.points.iter().copied()))
             }
         })
     }
 
-    fn transform_one(&mut self, key: Key, by: &Transform) {
+    fn transform_key(&mut self, key: Key, by: &Transform) {
         match key {
             Key::Reference(key) => {
-                if let Ok(reference) = self.cell.reference_mut(key) {
+                if let Ok(reference) = self.reference_mut(key) {
                     reference.transform_mut(by);
                 }
             }
             Key::Label(key) => {
-                if let Ok(index) = self.cell.label_index(key) {
-                    self.cell.cell.labels[index].transform_mut(by);
+                if let Ok(index) = self.label_index(key) {
+                    self.cell.labels[index].transform_mut(by);
                 }
             }
             Key::Polygon(key) => {
                 let matrix = by.matrix();
-                for index in self.cell.polygon_indices(key).unwrap_or_default() {
-                    self.cell.cell.polygons.points_mut(index).iter_mut().for_each(|p| *p = matrix.apply(*p));
+                for index in self.polygon_indices(key).unwrap_or_default() {
+                    self.cell.polygons.points_mut(index).iter_mut().for_each(|p| *p = matrix.apply(*p));
                 }
             }
         }
     }
+}
 
+impl Selection<'_> {
     /// An element as error texts name it.
     fn describe(&self, key: Key) -> String {
         match key {
@@ -131,50 +116,78 @@ impl Selection<'_> {
         }
     }
 
-    fn defer_for(&mut self, error: DeferredError, what: &str) {
-        let error = error.into_error(&self.cell.cell.name, what);
-        self.cell.defer_error(error);
+    /// A member as error texts name it.
+    fn describe_member(&self, index: usize) -> String {
+        match self.members[index][..] {
+            [key] => self.describe(key),
+            _ => format!("member {index} of the selection, counted from 0,"),
+        }
     }
 }
 
 impl Bounded for Selection<'_> {
     fn bbox(&self) -> Option<Rect> {
-        Rect::union_all(self.member_boxes())
+        if self.is_whole_cell { self.cell.cell.bbox() } else { Rect::union_all(self.member_boxes()) }
     }
 }
 
 impl Transformable for Selection<'_> {
     fn transform_mut(&mut self, by: &Transform) {
-        for i in 0..self.keys.len() {
-            self.transform_one(self.keys[i], by);
+        if self.is_whole_cell {
+            return self.cell.cell.transform_mut(by);
+        }
+        for i in 0..self.members.len() {
+            self.move_through(i, by);
         }
     }
 
     fn defer(&mut self, error: DeferredError) {
-        let what = match self.keys[..] {
-            [key] => self.describe(key),
+        let what = match &self.members[..] {
+            _ if self.is_whole_cell => "the cell".to_owned(),
+            [_] => self.describe_member(0),
+            // A key that found nothing is the deferred error already.
+            [] => return,
             _ => "the selection".to_owned(),
         };
-        self.defer_for(error, &what);
+        let device = self.cell.cell.name.as_str();
+        let empty = self.cell.cell.references.iter().find(|reference| reference.bbox().is_none());
+        let error = match empty {
+            Some(empty) if error.reason.is_nan() => Error::invalid(
+                device,
+                format!(
+                    "the argument of {} for {what} is NaN, but it must be finite; the reference to \"{}\" is empty, so its \
+                     edges are NaN",
+                    error.method,
+                    empty.device().name()
+                ),
+            ),
+            _ => error.into_error(device, &what),
+        };
+        self.cell.defer_error(error);
+    }
+}
+
+impl Selection<'_> {
+    fn move_through(&mut self, member: usize, by: &Transform) {
+        for i in 0..self.members[member].len() {
+            self.cell.transform_key(self.members[member][i], by);
+        }
     }
 }
 
 impl Align for Selection<'_> {
     fn member_boxes(&self) -> Vec<Option<Rect>> {
-        self.keys.iter().map(|key| self.bbox_of(*key).ok().flatten()).collect()
+        let of_key = |key: &Key| self.cell.bbox_of_key(*key).ok().flatten();
+        self.members.iter().map(|keys| Rect::union_all(keys.iter().map(of_key))).collect()
     }
 
     fn move_member(&mut self, index: usize, by: Point) {
-        self.transform_one(self.keys[index], &Transform::translation(by));
+        self.move_through(index, &Transform::translation(by));
     }
 
     fn defer_align_error(&mut self, error: DeferredError) {
         let DeferredError { method, reason: Reason::EmptyMember(index) } = error else { return self.defer(error) };
-        let error = Error::EmptyGeometry {
-            device: self.cell.cell.name.as_str().into(),
-            method,
-            what: self.describe(self.keys[index]).into(),
-        };
-        self.cell.defer_error(error);
+        let (device, what) = (self.cell.cell.name.as_str().into(), self.describe_member(index).into());
+        self.cell.defer_error(Error::EmptyGeometry { device, method, what });
     }
 }

@@ -60,7 +60,7 @@ fn the_first_bad_placement_comes_back_at_the_end() {
     );
     assert_eq!(
         refusal(|d| {
-            d.set_xmin(3);
+            d.set_xmin(.., 3);
         }),
         "cell: set_xmin needs a bounding box, but the cell is empty"
     );
@@ -91,7 +91,7 @@ fn a_placement_that_overflows_is_refused() {
     assert!(error.contains("must be finite"), "{error}");
     let error = refusal(|d| {
         d.add_polygon([(0, 0), (1, 0), (0, 1)], 1).unwrap();
-        d.scale(1e308).scale(1e308);
+        d.scale(.., 1e308).scale(.., 1e308);
     });
     assert!(error.contains("must be finite"), "{error}");
 }
@@ -135,7 +135,7 @@ fn names_are_unique_and_unknown_ones_list_the_known() {
 #[test]
 fn deferred_errors_come_out_of_build_and_check_only() {
     let mut d = Device::builder("cell");
-    d.info("length", f64::INFINITY).move_by((f64::NAN, 0.0));
+    d.info("length", f64::INFINITY).move_by(.., (f64::NAN, 0.0));
     d.add_polygon([(0, 0), (1, 0), (0, 1)], 1).unwrap();
     d.add_port("a", ((0, 0), 1, 0)).unwrap();
     d.add_label("a", (0, 0), 1).unwrap();

@@ -4,4 +4,5 @@ mod bounds;
 mod editing;
 mod errors;
 mod laws;
+mod placing;
 mod reference_facts;

@@ -65,7 +65,7 @@ fn moves_give_the_hashes_of_the_reference() {
     let mut d = Device::builder("cell");
     d.add(q());
     d.add_polygon(([8, 6, 7, 9, 7, 0], [6, 8, 9, 5, 7, 0]), 0).unwrap();
-    d.move_by((1.7, 0.8));
+    d.move_by(.., (1.7, 0.8));
     assert_hash(&d.build().unwrap(), "c863156dd00a590dc02823e1791554d4142b1ea9");
 }
 
@@ -74,13 +74,13 @@ fn rotations_and_reflections_give_the_hashes_of_the_reference() {
     let turned = "2e4815072eabe053c3029d9e29a5b3ed59fe9bb7";
     assert_hash(&cell_of([q().rotated(37.5)]), turned);
     let mut d = cell_of([q()]).edit();
-    d.rotate(37.5);
+    d.rotate(.., 37.5);
     assert_hash(&d.build().unwrap(), turned);
 
     let mirrored = "bc6ae5308c2240e425cd503e0cdda30007bbfc4d";
     assert_hash(&cell_of([q().mirrored((1.7, 2.5), (4.5, 9.1))]), mirrored);
     let mut d = cell_of([q()]).edit();
-    d.mirror((1.7, 2.5), (4.5, 9.1));
+    d.mirror(.., (1.7, 2.5), (4.5, 9.1));
     assert_hash(&d.build().unwrap(), mirrored);
 
     assert_hash(&cell_of([q().rotated_about(45, (1, 2))]), "d661c74feb5821ab687b559602aecc5dc9034ec7");

@@ -59,7 +59,7 @@ pub fn taper(
     d.add_port("1", ((0, 0), width1, 180))?;
     d.add_port("2", ((length, 0), width2, 0))?;
     if let Some(port) = port {
-        d.rotate(port.orientation()).move_by(port.midpoint());
+        d.rotate(.., port.orientation()).move_by(.., port.midpoint());
     }
     d.build()
 }

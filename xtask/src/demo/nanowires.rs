@@ -89,7 +89,7 @@ pub(crate) fn contacted_nanowire(
         d.add(pole);
     }
     let squares = d[wire].device().info()["squares"].clone();
-    d.add_label(format!("w {width}"), (d.x(), d.ymax() + 10.0), NAME)?;
+    d.add_label(format!("w {width}"), (d.x(..), d.ymax(..) + 10.0), NAME)?;
     d.info("squares", squares);
     d.build()
 }

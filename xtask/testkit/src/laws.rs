@@ -48,7 +48,7 @@ fn methods_agree_with_transforms<T: Movable + Clone + Debug>(element: &T, t: &Tr
     if t.x_reflection {
         by_methods.mirror((0, 0), (1, 0));
     }
-    by_methods.scale(t.magnification).rotate(t.rotation).move_by(t.origin);
+    by_methods.scale(t.magnification).rotate_about(t.rotation, Point::ORIGIN).move_by(t.origin);
     same_box(&by_methods, &at_once, "mirror, scale, rotate, move")
 }
 

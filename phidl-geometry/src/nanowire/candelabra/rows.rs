@@ -28,7 +28,7 @@ impl Wire {
         let (bend, bar) = (d.add(bend), d.add(bar));
 
         // Each row ends in a turn that leads to the next one, longer and one pitch further down.
-        let mut length = 2.0 * d.size().width - self.width;
+        let mut length = 2.0 * d.size(..).width - self.width;
         let least = ("the shortest one and a step (a larger haxis or vaxis)", length + growth);
         check.unit("µm").greater("longest row", longest, least)?;
         let mut pad = longest - length - growth;
@@ -76,7 +76,7 @@ impl Wire {
 
     /// Centers the rows on x = 0 and puts the terminal there, and the last row on y = 0.
     fn center(&self, d: &mut DeviceBuilder, bend: ReferenceKey, bar: ReferenceKey) -> Result<()> {
-        d.set_x(0.0);
+        d.set_x(.., 0.0);
         if !self.xwing {
             let off = d[bend].port("1")?.midpoint().x;
             d[bend].movex(-off);
@@ -88,8 +88,8 @@ impl Wire {
             filler.connect("E", &bar)?;
             d.add(filler);
         }
-        let shift = (-d.x(), -d.ymin() - self.width / 2.0);
-        d.move_by(shift);
+        let shift = (-d.x(..), -d.ymin(..) - self.width / 2.0);
+        d.move_by(.., shift);
         d.add_port("1", d[bend].port("1")?)?;
         Ok(())
     }
