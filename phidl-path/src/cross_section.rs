@@ -10,7 +10,7 @@ use phidl_core::scene::Device;
 use phidl_core::{Error, Result};
 
 use crate::section::Beside;
-use crate::{Path, Profile, Section};
+use crate::{Path, Profile, Section, rule};
 
 /// An ordered set of [`Section`]s.
 ///
@@ -95,6 +95,55 @@ impl CrossSection {
         Self { sections: [&self.sections[..], &other.sections].concat() }
     }
 
+    /// The largest distances (µm) of an edge to the left and to the right of the path; functions are evaluated at 257
+    /// values of t. A distance is 0 if all edges are on the other side.
+    ///
+    /// ```
+    /// # use phidl_path::{CrossSection, Section};
+    /// let x = CrossSection::new().add(Section::new(1)).add(Section::new(2).offset(3));
+    /// assert_eq!(x.reach()?, [0.5, 4.0]);
+    /// # Ok::<(), phidl_core::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As for [`Path::extrude`]; and [`Error::Param`] if a width or an offset is a list, which belongs to the points of one
+    /// path.
+    pub fn reach(&self) -> Result<[f64; 2]> {
+        const STEPS: u32 = 256;
+        let (mut left, mut right) = (0.0_f64, 0.0_f64);
+        for i in 0..=STEPS {
+            for section in self.positions_at(f64::from(i) / f64::from(STEPS))? {
+                left = left.max(section.width / 2.0 - section.offset);
+                right = right.max(section.width / 2.0 + section.offset);
+            }
+        }
+        Ok([left, right])
+    }
+
+    /// The sections at a fraction of the length of a path.
+    pub(crate) fn positions_at(&self, t: f64) -> Result<Vec<SectionPosition>> {
+        self.check()?;
+        let mut positions: Vec<SectionPosition> = Vec::with_capacity(self.sections.len());
+        for (index, section) in self.sections.iter().enumerate() {
+            let title = section.title(index);
+            let at = |profile: &Profile, param: &str| {
+                let value = profile.at(t).filter(|v| v.is_finite());
+                let rule = || format!("be a number or a function, and finite at t = {t}");
+                value.ok_or_else(|| rule::refused(&title, param, format!("{profile:?}"), rule()))
+            };
+            let width = at(&section.width, "width")?;
+            let offset = match &section.beside {
+                None => at(&section.offset, "offset")?,
+                Some(beside) => {
+                    let other = positions[self.index_of(&beside.section)?];
+                    other.offset + beside.side.sign() * (other.width + width) / 2.0
+                }
+            };
+            positions.push(SectionPosition { width, offset });
+        }
+        Ok(positions)
+    }
+
     /// The device along a path, as [`Path::extrude`] draws it.
     ///
     /// # Errors
@@ -137,6 +186,13 @@ impl CrossSection {
         }
         Ok(())
     }
+}
+
+/// A section at one position of a path.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct SectionPosition {
+    pub(crate) width: f64,
+    pub(crate) offset: f64,
 }
 
 /// Adds a name and refuses it if it is taken.

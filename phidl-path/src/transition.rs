@@ -7,7 +7,8 @@
 
 use phidl_core::{Error, Result};
 
-use crate::{CrossSection, Profile, Section, rule};
+use crate::cross_section::SectionPosition;
+use crate::{CrossSection, Profile, Section};
 
 /// The law by which widths and offsets change in a [`transition`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -50,7 +51,7 @@ impl TransitionShape {
 /// [`Error::Custom`] if no name is common to both; [`Error::Param`] if a width or an offset is a list of values for the
 /// points of a path, or if one of the cross-sections cannot be drawn.
 pub fn transition(from: &CrossSection, to: &CrossSection, shape: TransitionShape) -> Result<CrossSection> {
-    let (starts, ends) = (end_bands(from, 1.0)?, end_bands(to, 0.0)?);
+    let (starts, ends) = (from.positions_at(1.0)?, to.positions_at(0.0)?);
     let mut taper = CrossSection::new();
     for (first, start) in from.sections().iter().zip(&starts) {
         let partner = to.sections().iter().position(|second| first.name.is_some() && first.name == second.name);
@@ -64,44 +65,8 @@ pub fn transition(from: &CrossSection, to: &CrossSection, shape: TransitionShape
     }
 }
 
-/// A section at one end of the taper.
-#[derive(Debug, Clone, Copy)]
-struct EndBand {
-    width: f64,
-    offset: f64,
-}
-
-/// The sections of a cross-section at a fraction of its own path.
-fn end_bands(x: &CrossSection, t: f64) -> Result<Vec<EndBand>> {
-    x.check()?;
-    let mut bands: Vec<EndBand> = Vec::with_capacity(x.sections().len());
-    for (index, section) in x.sections().iter().enumerate() {
-        let title = section.title(index);
-        let at = |profile: &Profile, param: &str| {
-            profile.at(t).filter(|v| v.is_finite()).ok_or_else(|| {
-                rule::refused(
-                    &title,
-                    param,
-                    format!("{profile:?}"),
-                    "be a number or a function at the end of a transition",
-                )
-            })
-        };
-        let width = at(&section.width, "width")?;
-        let offset = match &section.beside {
-            None => at(&section.offset, "offset")?,
-            Some(beside) => {
-                let other = bands[x.index_of(&beside.section)?];
-                other.offset + beside.side.sign() * (other.width + width) / 2.0
-            }
-        };
-        bands.push(EndBand { width, offset });
-    }
-    Ok(bands)
-}
-
 /// The section that starts as one and ends as another.
-fn between(first: &Section, second: &Section, [start, end]: [EndBand; 2], shape: TransitionShape) -> Section {
+fn between(first: &Section, second: &Section, [start, end]: [SectionPosition; 2], shape: TransitionShape) -> Section {
     let beside = first.beside.clone().filter(|beside| second.beside.as_ref() == Some(beside));
     let offset = match beside {
         Some(_) => Profile::Constant(0.0),

@@ -1,18 +1,18 @@
-//! Ten thousand different manhattan routes, as ways, as centerlines, and as devices.
+//! Ten thousand different Manhattan routes, as waypoints, as centerlines, and as devices.
 
 use std::hint::black_box;
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use phidl_core::cache;
 use phidl_core::prelude::*;
-use phidl_route::{RouteBend, RouteManhattanParams, manhattan_centerline, path_manhattan};
+use phidl_route::{RouteBend, RouteManhattanParams, path_manhattan};
 use testkit::loads;
 
 fn routes(c: &mut Criterion) {
     let pairs = loads::pairs();
     let mut group = c.benchmark_group("manhattan");
     group.sample_size(10).throughput(Throughput::Elements(pairs.len() as u64));
-    group.bench_function("ways", |b| {
+    group.bench_function("waypoints", |b| {
         b.iter(|| pairs.iter().map(|[a, z]| path_manhattan(a, z, 10).expect("a right angle").length()).sum::<f64>());
     });
     for bend in [RouteBend::Circular, RouteBend::Euler, RouteBend::Gradual] {
@@ -21,7 +21,7 @@ fn routes(c: &mut Criterion) {
         });
     }
     group.bench_function("devices, Circular", |b| {
-        let draw = |[a, z]: &[Port; 2]| RouteManhattanParams::new(a, z).radius(10).build().expect("a route");
+        let draw = |[a, z]: &[Port; 2]| route(a, z).build().expect("a route");
         b.iter_batched(
             || (),
             |()| cache::bypass(|| pairs.iter().map(|pair| black_box(draw(pair)).ports().len()).sum::<usize>()),
@@ -32,7 +32,12 @@ fn routes(c: &mut Criterion) {
 }
 
 fn length(a: &Port, z: &Port, bend: RouteBend) -> f64 {
-    manhattan_centerline(a, z, bend, 10).expect("a right angle").length()
+    route(a, z).bend(bend).centerline().expect("a right angle").length()
+}
+
+/// A route of any kind: the pairs are in all positions.
+fn route(a: &Port, z: &Port) -> RouteManhattanParams {
+    RouteManhattanParams::new(a, z).radius(10).width(a.width()).allow_detour(true).allow_crossings(true)
 }
 
 criterion_group!(benches, routes);

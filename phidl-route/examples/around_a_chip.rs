@@ -1,4 +1,4 @@
-//! Wires around a chip: every kind of route, and what they say of themselves.
+//! Wires around a chip: every kind of route, with its info.
 //!
 //! `cargo run -p phidl-route --example around_a_chip`
 #![expect(clippy::print_stdout, reason = "an example shows what it draws")]
@@ -6,7 +6,7 @@
 use phidl_core::prelude::*;
 use phidl_path::{CrossSection, EulerBend, Section};
 use phidl_route::{
-    PathType, RouteBasicParams, RouteBend, RouteProfile, RouteSmoothParams, path_j, route_manhattan,
+    PathType, RouteBasicParams, RouteBend, RouteManhattanParams, RouteProfile, RouteSmoothParams, path_j,
     route_manhattan_auto, route_quad, route_serpentine, route_sharp, route_xy,
 };
 
@@ -14,9 +14,9 @@ pub(crate) fn main() -> Result<()> {
     let (pad, chip) = (Port::new((0, 0), 20, 0).named("pad"), Port::new((300, 120), 10, 270).named("chip"));
     let mut d = Device::builder("around_a_chip");
 
-    // One wire, with mitered corners, with bends of its own radius, and with clothoids round an obstacle.
+    // One wire, with mitered corners, with bends of a given radius and a taper, and with clothoids around an obstacle.
     d.add(route_sharp(&pad, &chip, None, PathType::Manhattan, 1)?);
-    d.add(route_manhattan(&pad, &chip, RouteBend::Gradual, 30, 2)?);
+    d.add(RouteManhattanParams::new(&pad, &chip).bend(RouteBend::Gradual).radius(30).width((20, 10)).layer(2).build()?);
     let around = RouteSmoothParams::new(&pad, &chip).radius(25).width((20, 10)).path_type(PathType::Z);
     let wire = d.add(around.length1(100).length2(60).layer(3).build()?);
     println!(
@@ -41,7 +41,7 @@ pub(crate) fn main() -> Result<()> {
         (0..4).flat_map(|i| [Port::new((600, 15 * i), 4, 0), Port::new((800 - 15 * i, 200), 4, 270)]).collect();
     d.add(route_manhattan_auto(bus, RouteBend::Circular, 20, 7)?);
 
-    // A wire that takes exactly 1500 µm.
+    // A wire of exactly 1500 µm.
     let late = d.add(route_serpentine(((0, 500), 4, 0), ((500, 600), 4, 180), 1500, RouteBend::Euler, 15, 8)?);
     println!("serpentine: {} µm long", d[late].device().info()["length"]);
 

@@ -115,7 +115,7 @@ fn path_types() -> Result<Device> {
     d.build()
 }
 
-/// Ports in all placements to one that looks up: the ways that a manhattan route finds.
+/// A port that faces up at all positions around another one: the shapes of Manhattan routes.
 fn sweep() -> Result<Device> {
     let mut d = Device::builder("sweep");
     for (column, x) in [-20, -10, 0, 10, 20].into_iter().enumerate() {
@@ -123,15 +123,16 @@ fn sweep() -> Result<Device> {
             let at = Point::new(100.0 * column as f64, 100.0 * row as f64);
             let (a, b) = (Port::new(at, 2, 0), Port::new(at + Point::from((x, y)), 2, 90));
             if x != 0 || y != 0 {
-                d.add(route_smooth(&a, &b, 5, None, PathType::Manhattan, 2)?);
+                // One of the ports lies on its own route.
+                d.add(RouteSmoothParams::new(&a, &b).layer(2).allow_crossings(true).build()?);
             }
         }
     }
     d.build()
 }
 
-/// Wires that fan out in steps: the letters say where to go, and one that comes four times makes its steps a quarter of
-/// the way.
+/// Wires that fan out in steps: each letter is a step, and a letter that occurs four times makes steps of a quarter of the
+/// distance.
 fn fan_out() -> Result<Device> {
     let mut d = Device::builder("fan_out");
     for (wire, directions) in ["yyyyx", "yyyxy", "yyxyy", "yxyyy"].into_iter().enumerate() {

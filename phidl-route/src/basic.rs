@@ -8,7 +8,7 @@ use phidl_macros::{Choice, device};
 
 use crate::port_pair::{PortPair, left_of, opposite};
 
-/// How something changes between the ends of a [`route_basic`](fn@route_basic).
+/// The law of a change between the ends of a [`route_basic`](fn@route_basic).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Choice)]
 pub enum RouteProfile {
     /// As a raised cosine: without a kink at either end.
@@ -19,8 +19,8 @@ pub enum RouteProfile {
 }
 
 impl RouteProfile {
-    /// The part of the change that is done at a part `t` of the way.
-    fn done(self, t: f64) -> f64 {
+    /// The fraction of the change at a fraction `t` of the forward distance.
+    fn fraction(self, t: f64) -> f64 {
         match self {
             Self::Straight => t,
             Self::Sine => (1.0 - (PI * t).cos()) / 2.0,
@@ -28,12 +28,12 @@ impl RouteProfile {
     }
 }
 
-/// How far a chord may be from the line (µm), measured in the middle of its `t`; the reference's number.
+/// Largest distance of a chord from the line (µm), measured in the middle of its `t`; PHIDL's number.
 const CHORD: f64 = 0.01;
-/// How often a chord is halved at the most: it bounds the memory for lines that go aside by meters.
+/// Maximum number of times a chord is halved: it bounds the memory for lines that go sideways by meters.
 const HALVINGS: u32 = 12;
 
-/// Draws a single smooth piece between two ports that look at each other; they need not lie on one axis.
+/// Draws one smooth piece between two ports that face each other; they need not lie on one axis.
 ///
 /// ```text
 ///              ╭────┤ port2
@@ -46,7 +46,7 @@ const HALVINGS: u32 = 12;
 ///
 /// # Info
 /// `length` of the centerline through its points (µm); `bends`: 2, or 0 if it is straight; `smallest_radius` of the
-/// curve: 2F²/(π²|L|) at both ends, for a piece that goes F forwards and L aside (µm; null if it is straight).
+/// curve: 2F²/(π²|L|) at both ends, for a piece that goes F forwards and L to the side (µm; null if it is straight).
 ///
 /// # Errors
 /// The ports must be turned by 180° against each other (to 0.0005°), `port2` in front of `port1`.
@@ -54,8 +54,8 @@ const HALVINGS: u32 = 12;
 /// # Numerics
 /// In the frame of `port1`, with t from 0 to 1, a sine is (F t, L (1 − cos πt)/2), and its width is measured square to
 /// it. A straight piece is (F t, L t), but its width is measured square to the ports, which makes its ends meet them.
-/// There are `num_path_pts` values of t, evenly spaced, and where the line is more than 10 nm off the middle of a chord,
-/// those halfway between, as often as needed. The outline runs forwards on the left and back on the right.
+/// There are `num_path_pts` values of t, evenly spaced. Where the line is more than 10 nm from the middle of a chord, the
+/// chord is halved, as often as needed. The outline runs forwards on the left and back on the right.
 ///
 /// # Examples
 /// ```
@@ -74,10 +74,10 @@ pub fn route_basic(
     port1: Port,
     /// Where it ends.
     port2: Port,
-    /// How the centerline goes aside.
+    /// The law of the centerline to the side.
     #[default(RouteProfile::Sine)]
     path_type: RouteProfile,
-    /// How the width changes.
+    /// The law of the width.
     #[default(RouteProfile::Straight)]
     width_type: RouteProfile,
     /// Width at the start, that of `port1` if not given.
@@ -88,7 +88,7 @@ pub fn route_basic(
     #[default(None)]
     #[param(unit = "um", min = 0.0)]
     width2: Option<f64>,
-    /// Number of points of the centerline, at least 2; more are added where the line asks for them.
+    /// Number of points of the centerline, at least 2; more are added where chords deviate by more than 10 nm.
     #[default(99)]
     num_path_pts: usize,
     /// Where it is drawn.
@@ -104,7 +104,10 @@ pub fn route_basic(
     let samples = line.samples(num_path_pts);
 
     let mut d = Device::builder("route_basic");
-    d.add_polygon(line.outline(&pair, &samples, |t| widths[0] + (widths[1] - widths[0]) * width_type.done(t)), layer)?;
+    d.add_polygon(
+        line.outline(&pair, &samples, |t| widths[0] + (widths[1] - widths[0]) * width_type.fraction(t)),
+        layer,
+    )?;
     d.add_port("1", port1.flipped().with_width(widths[0]))?;
     d.add_port("2", (port2.midpoint(), widths[1], port1.orientation()))?;
     let points: Vec<Point> = samples.iter().map(|t| line.at(*t)).collect();
@@ -117,7 +120,7 @@ pub fn route_basic(
 /// A centerline in the frame of the first port.
 struct Centerline {
     forwards: f64,
-    aside: f64,
+    lateral: f64,
     profile: RouteProfile,
 }
 
@@ -125,29 +128,31 @@ impl Centerline {
     fn between(pair: &PortPair<'_>, profile: RouteProfile) -> Result<Self> {
         if !opposite(pair.port1, pair.port2) {
             let turn = angle::between(pair.port1.orientation(), pair.port2.orientation());
-            return Err(pair.refused(format_args!("a turn of {turn}°"), "be between ports turned by 180°"));
+            return Err(
+                pair.error(format_args!("the ports must face each other, but are turned by {turn}° instead of 180°"))
+            );
         }
         let forwards = pair.forward_distance();
         match forwards > 0.0 {
-            true => Ok(Self { forwards, aside: pair.lateral_distance(), profile }),
-            false => Err(pair.missing("a way ahead", forwards, f64::MIN_POSITIVE)),
+            true => Ok(Self { forwards, lateral: pair.lateral_distance(), profile }),
+            false => Err(pair.missing("the distance of port2 ahead of port1", forwards, f64::MIN_POSITIVE)),
         }
     }
 
     fn at(&self, t: f64) -> Point {
-        Point::new(self.forwards * t, self.aside * self.profile.done(t))
+        Point::new(self.forwards * t, self.lateral * self.profile.fraction(t))
     }
 
     /// The unit vector to the left, across which the width is measured.
     fn left_at(&self, t: f64) -> Point {
         let along = match self.profile {
             RouteProfile::Straight => Point::new(self.forwards, 0.0),
-            RouteProfile::Sine => Point::new(self.forwards, self.aside * PI * (PI * t).sin() / 2.0),
+            RouteProfile::Sine => Point::new(self.forwards, self.lateral * PI * (PI * t).sin() / 2.0),
         };
         left_of(along / along.norm())
     }
 
-    /// Where it has points.
+    /// The values of t at its points.
     fn samples(&self, num_path_pts: usize) -> Vec<f64> {
         let mut samples: Vec<f64> = Vec::with_capacity(num_path_pts);
         for t in count::linspace(0.0, 1.0, num_path_pts) {
@@ -159,7 +164,7 @@ impl Centerline {
         samples
     }
 
-    /// Adds the points between two, as many as keep the chords close to the line.
+    /// Adds points between two, as many as keep the chords close to the line.
     fn halve(&self, from: f64, to: f64, most: u32, samples: &mut Vec<f64>) {
         let middle = (from + to) / 2.0;
         let chord = (self.at(from) + self.at(to)) / 2.0;
@@ -185,8 +190,8 @@ impl Centerline {
     /// The curvature L π² cos(πt) / 2F² over the third power of the slope's length is largest at the ends, where the
     /// slope is along the axis.
     fn smallest_radius(&self) -> Option<f64> {
-        let bent = self.profile == RouteProfile::Sine && self.aside != 0.0;
-        bent.then(|| 2.0 * self.forwards.powi(2) / (PI.powi(2) * self.aside.abs()))
+        let curved = self.profile == RouteProfile::Sine && self.lateral != 0.0;
+        curved.then(|| 2.0 * self.forwards.powi(2) / (PI.powi(2) * self.lateral.abs()))
     }
 }
 
@@ -212,7 +217,7 @@ mod tests {
     #[test]
     fn the_smallest_radius_is_that_of_the_circle_through_the_first_points() {
         let d = to(40.0, 10.0, 180.0).unwrap();
-        let line = Centerline { forwards: 40.0, aside: 10.0, profile: RouteProfile::Sine };
+        let line = Centerline { forwards: 40.0, lateral: 10.0, profile: RouteProfile::Sine };
         let p = line.at(1e-3);
         // A circle that leaves the origin along x goes through (x, y) if its radius is (x² + y²) / 2y.
         let radius = (p.x * p.x + p.y * p.y) / (2.0 * p.y);
@@ -220,8 +225,8 @@ mod tests {
     }
 
     #[test]
-    fn chords_stay_close_to_the_line_however_few_points_are_asked_for() {
-        let line = Centerline { forwards: 30.0, aside: 40.0, profile: RouteProfile::Sine };
+    fn chords_stay_close_to_the_line_for_any_number_of_points() {
+        let line = Centerline { forwards: 30.0, lateral: 40.0, profile: RouteProfile::Sine };
         let samples = line.samples(5);
         for pair in samples.windows(2) {
             let chord = (line.at(pair[0]) + line.at(pair[1])) / 2.0;
@@ -231,11 +236,14 @@ mod tests {
     }
 
     #[test]
-    fn ports_that_do_not_look_at_each_other_are_refused() {
+    fn ports_that_do_not_face_each_other_are_refused() {
         assert!(to(40.0, 10.0, 170.0).is_err() && to(40.0, 10.0, 0.0).is_err());
         assert!(to(40.0, 10.0, 180.0004).is_ok());
         let error = to(-3.0, 1.0, 180.0).unwrap_err().to_string();
-        assert!(error.contains("a way ahead of -3 µm") && error.contains("3 µm are missing"), "{error}");
+        assert!(
+            error.contains("the distance of port2 ahead of port1 is -3 µm") && error.contains("3 µm are missing"),
+            "{error}"
+        );
         assert!(RouteBasicParams::new(((0, 0), 1, 0), ((9, 0), 1, 180)).num_path_pts(1).build().is_err());
     }
 }

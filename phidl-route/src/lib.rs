@@ -4,14 +4,15 @@
 #![doc = include_str!("../docs/routes.svg")]
 //! </div>
 //!
-//! | route | is |
+//! | route | meaning |
 //! |---|---|
 //! | [`route_quad`](fn@route_quad) | the quadrilateral between two ports |
-//! | [`route_basic`](fn@route_basic) | one straight or sine-shaped piece between ports that look at each other |
-//! | [`route_smooth`](fn@route_smooth), [`route_sharp`](fn@route_sharp) | a wire on a way of your choice ([`PathType`]), with bends or with mitered corners |
+//! | [`route_basic`](fn@route_basic) | one straight or sine-shaped piece between ports that face each other |
+//! | [`route_smooth`](fn@route_smooth), [`route_sharp`](fn@route_sharp) | a wire of a shape of your choice ([`PathType`]), with bends or with mitered corners |
 //! | [`route_manhattan`](fn@route_manhattan), [`route_manhattan_auto`](fn@route_manhattan_auto) | wires at right angles, with bends of your choice ([`RouteBend`]), one or many |
-//! | [`route_xy`](fn@route_xy) | steps along x and y, whatever the ports face |
+//! | [`route_xy`](fn@route_xy) | steps along x and y, for any orientation of the ports |
 //! | [`route_serpentine`](fn@route_serpentine), [`delay_line`](fn@delay_line) | a wire of an exact length |
+//! | [`route_custom`] | a wire along given waypoints, with any bend and any cross-section |
 //!
 //! ```
 //! use phidl_core::prelude::*;
@@ -28,16 +29,17 @@
 //! # Ok::<(), Error>(())
 //! ```
 //!
-//! A route is a cell at the place of its ports. It leaves the first port forwards, enters the second from the front, and
-//! has ports `1` and `2` that face them; [`route_quad`](fn@route_quad) and [`route_xy`](fn@route_xy) ask nothing of the
-//! directions. A route that cannot be made is an error with both ports and what is missing.
+//! A route is a cell in the coordinates of its ports. It leaves the first port forwards, enters the second from the front,
+//! and has ports `1` and `2` that face them; [`route_quad`](fn@route_quad) and [`route_xy`](fn@route_xy) accept any
+//! orientation. A route that cannot be made is an error with both ports and the missing length. A Manhattan route that has
+//! no room for its fewest corners, or that would run over itself, is refused unless that is allowed.
 //!
 //! Waypoints ([`path_straight`], [`path_l`], [`path_u`], [`path_j`], [`path_c`], [`path_v`], [`path_z`], [`path_xy`],
-//! [`path_manhattan`]) are sketches: what the formulas give, to be edited, bent and extruded as you like. Names,
-//! parameters, defaults, ports and drawn points are PHIDL's. A program that names no route but builds some by name links
-//! them with `use phidl_route as _;`.
+//! [`path_manhattan`]) are polylines, to be edited, smoothed and extruded. Names, parameters, defaults, ports and drawn
+//! points are PHIDL's. A program that builds routes by name only links them with `use phidl_route as _;`.
 
 mod basic;
+mod custom;
 mod draw;
 mod manhattan;
 mod options;
@@ -51,6 +53,7 @@ mod width;
 mod xy;
 
 pub use basic::{RouteBasicParams, RouteProfile, route_basic};
+pub use custom::route_custom;
 pub use manhattan::{
     RouteBend, RouteManhattanAutoParams, RouteManhattanParams, manhattan_centerline, path_c, path_j, path_l,
     path_manhattan, path_straight, path_u, path_v, path_z, route_manhattan, route_manhattan_auto,

@@ -8,10 +8,10 @@ use phidl_path::{ArcBend, Bend, EulerBend, Path};
 
 use crate::manhattan::recorded;
 
-/// Points per full turn by default.
+/// Default number of points per full turn.
 const NUM_PTS: f64 = 720.0;
 
-/// What a smooth route does at its corners.
+/// The bends of a smooth route.
 ///
 /// ```
 /// # use phidl_route::SmoothOptions;
@@ -30,9 +30,9 @@ pub enum SmoothOptions {
     },
     /// Euler bends.
     Euler {
-        /// Part of the turn in the clothoids, 0 to 1.
+        /// Fraction of the turn in the clothoids, 0 to 1.
         p: f64,
-        /// Whether the bend is as large as the arc of the radius; otherwise the radius is its smallest one.
+        /// Whether the radius is that of the arc with the same ends; otherwise it is the smallest radius.
         use_eff: bool,
         /// Points per full turn; more than 0.
         num_pts: f64,
@@ -57,7 +57,7 @@ impl SmoothOptions {
         matches!(self, Self::Arc { .. } | Self::Euler { use_eff: true, .. })
     }
 
-    /// The same with as many points as ordinary, if it has less.
+    /// The same with the default number of points, if it has fewer.
     pub(crate) fn finer(self) -> Option<Self> {
         match self {
             Self::Arc { num_pts } if num_pts < NUM_PTS => Some(Self::arc()),
@@ -68,11 +68,11 @@ impl SmoothOptions {
         }
     }
 
-    /// The smallest radius on the way round a corner (µm).
+    /// The smallest radius of the bend at a corner (µm).
     pub(crate) fn smallest_radius(self, radius: f64, angle: f64) -> Result<f64> {
         match self {
             Self::Arc { .. } => Ok(radius),
-            // The record of the fewest points that there can be is that of the curve.
+            // The info belongs to the curve, so the fewest points suffice.
             Self::Euler { p, use_eff, .. } => Ok(recorded(&euler(p, use_eff).num_pts(1).path(radius, angle)?, "Rmin")),
         }
     }
@@ -122,13 +122,16 @@ impl Param for SmoothOptions {
         };
         let arc = match map.get("corner_fun").map(Value::as_str) {
             Some(Some("arc")) => true,
-            // The reference's default, also where other options are given.
+            // PHIDL's default, also if other options are given.
             Some(Some("euler")) | None => false,
             Some(_) => return Err(ConversionError::new(&map["corner_fun"], "be arc or euler").at(".corner_fun")),
         };
         let known: &[&str] = if arc { &["corner_fun", "num_pts"] } else { &["corner_fun", "p", "use_eff", "num_pts"] };
         if let Some(unknown) = map.keys().find(|key| !known.contains(&key.as_str())) {
-            return Err(ConversionError::new(value, format!("have no {unknown:?}; known are {}", known.join(", "))));
+            return Err(ConversionError::new(
+                value,
+                format!("have only known keys, not {unknown:?}; known are {}", known.join(", ")),
+            ));
         }
         let num_pts = entry(map, "num_pts", NUM_PTS)?;
         match arc {
@@ -138,7 +141,7 @@ impl Param for SmoothOptions {
     }
 }
 
-/// An entry of a map, or what it is if it is not there.
+/// An entry of a map, or its default.
 fn entry<T: Param>(map: &BTreeMap<String, Value>, key: &str, default: T) -> Result<T, ConversionError> {
     let read = |value| T::from_value(value).map_err(|mismatch| mismatch.at(format_args!(".{key}")));
     map.get(key).map_or(Ok(default), read)

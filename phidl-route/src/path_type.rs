@@ -1,14 +1,14 @@
-//! [`PathType`]: the waypoints of a smooth or sharp route, by name.
+//! [`PathType`]: the rule for the waypoints of a smooth or sharp route.
 
 use phidl_core::Result;
 use phidl_core::geom::Point;
 use phidl_core::num::angle;
 use phidl_macros::Choice;
 
-use crate::manhattan;
+use crate::manhattan::{self, Detour};
 use crate::port_pair::{PortPair, refused};
 
-/// Which way a route takes.
+/// The shape of a route.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Choice)]
 pub enum PathType {
     /// Straight on.
@@ -22,7 +22,7 @@ pub enum PathType {
     /// Forwards, across, and into a port at a right angle: `length1`, `length2`.
     #[choice("J")]
     J,
-    /// Forwards, aside, along, and back in: `length1`, `left1`, `length2`.
+    /// Forwards, to the left, along, and back in: `length1`, `left1`, `length2`.
     #[choice("C")]
     C,
     /// One corner where the axes of the ports meet.
@@ -31,19 +31,19 @@ pub enum PathType {
     /// Forwards, straight across at any angle, and in: `length1`, `length2`.
     #[choice("Z")]
     Z,
-    /// Whichever of straight, L, U, J and C has room for the bends.
+    /// The first of straight, L, U, J and C with room for the bends.
     #[default]
     Manhattan,
     /// The points of `manual_path`.
     Manual,
 }
 
-/// Corners that turn by less (degrees) are none.
+/// Smallest turn of a corner (degrees).
 const STRAIGHT_ON: f64 = 1e-6;
 /// Points that are this close (µm) are one.
 const REPEATED: f64 = 1e-9;
 
-/// The choice of a way with what belongs to it.
+/// A path type with its parameters.
 pub(crate) struct WaypointRule<'a> {
     pub(crate) what: &'a str,
     pub(crate) path_type: PathType,
@@ -51,13 +51,13 @@ pub(crate) struct WaypointRule<'a> {
     pub(crate) length1: Option<f64>,
     pub(crate) length2: Option<f64>,
     pub(crate) left1: Option<f64>,
-    /// Radius for which a manhattan way has room (µm).
+    /// Radius for which a Manhattan route has room (µm).
     pub(crate) radius: f64,
 }
 
 impl WaypointRule<'_> {
-    /// The waypoints, from port to port.
-    pub(crate) fn points(&self, pair: &PortPair<'_>) -> Result<Vec<Point>> {
+    /// The waypoints, from port to port, and the detour that they make.
+    pub(crate) fn points(&self, pair: &PortPair<'_>) -> Result<(Vec<Point>, Option<Detour>)> {
         self.check_options()?;
         let (length1, length2) = (self.length1, self.length2);
         let points = match self.path_type {
@@ -75,20 +75,23 @@ impl WaypointRule<'_> {
             PathType::Manual => self.manual(),
         }?;
         pair.check_waypoints(&points)?;
-        Ok(points)
+        let manhattan = self.path_type == PathType::Manhattan;
+        let detour = if manhattan { Detour::of_waypoints(pair, self.radius, &points) } else { None };
+        Ok((points, detour))
     }
 
     fn manual(&self) -> Result<Vec<Point>> {
         match self.manual_path {
             Some(points) if points.len() >= 2 => Ok(points.to_vec()),
             Some(points) => {
-                Err(refused(self.what, "manual_path", format_args!("{} points", points.len()), "be at least 2 points"))
+                let given = format_args!("a list of {} points", points.len());
+                Err(refused(self.what, "manual_path", given, "have at least 2"))
             }
-            None => Err(refused(self.what, "manual_path", "none", "be given for path_type manual")),
+            None => Err(refused(self.what, "manual_path", "left out", "be given for path_type manual")),
         }
     }
 
-    /// Refuses what has no meaning for this way: it is a slip, and the reference says nothing.
+    /// Refuses options that the path type does not have. (PHIDL ignores them.)
     fn check_options(&self) -> Result<()> {
         use PathType::{C, J, Manual, U, Z};
         let path_type = self.path_type;
@@ -101,14 +104,14 @@ impl WaypointRule<'_> {
         match options.into_iter().find(|(_, given, taken)| *given && !taken) {
             None => Ok(()),
             Some((name, ..)) => {
-                let rule = format!("be left out for path_type {path_type:?}, which does not have it");
+                let rule = format!("be left out, since path_type {path_type:?} does not use it");
                 Err(refused(self.what, name, "given", rule))
             }
         }
     }
 }
 
-/// By how much a line turns at each of its corners (degrees, to the left if positive).
+/// The turn of a line at each of its corners (degrees, to the left if positive).
 pub(crate) fn turns(points: &[Point]) -> Vec<f64> {
     let legs: Vec<Point> = points.windows(2).map(|leg| leg[1] - leg[0]).filter(|leg| leg.norm() > REPEATED).collect();
     let turn = |pair: &[Point]| {

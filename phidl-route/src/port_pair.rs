@@ -1,8 +1,8 @@
 //! [`PortPair`]: two ports to be joined, and the rules between them.
 //!
-//! Every rule is checked here or in terms of the numbers found here, so that a route that cannot be made says the same
-//! in every family: which two ports, what was measured between them, and how much is missing. The alternative, an error
-//! for each family, would name the family's inner lengths, which the user never gave.
+//! Every rule is checked here or with the lengths measured here. So a route that cannot be made has the same sentence in
+//! every family: both ports, the measured length, and how much is missing. An error for each family was rejected: it would
+//! name internal lengths that the user never gave.
 
 use phidl_core::error::ParamError;
 use phidl_core::geom::Point;
@@ -10,22 +10,20 @@ use phidl_core::num::angle;
 use phidl_core::port::Port;
 use phidl_core::{Error, Result};
 
-/// Two orientations may differ by this much (degrees) where a rule asks for a right angle: half a step of the three
-/// decimals to which PHIDL compares (docs/reference/routes.md).
+/// Tolerance of right angles between ports (degrees): half a step of the three decimals to which PHIDL compares.
 pub(crate) const SKEW: f64 = 1e-3;
-/// How far beside a port's axis a route may leave or arrive (µm), or a port may lie beside the other one's axis: a step
-/// of the usual database grid.
+/// Distance beside a port's axis at which a route may leave or arrive (µm): a step of the usual database grid.
 const BESIDE: f64 = 1e-3;
-/// How far from a port a route may start or end (µm): ports that meet within this form a joint.
+/// Distance from a port at which a route may start or end (µm): ports that meet within this form a joint.
 const JOINT: f64 = 1e-6;
 
-/// Two ports on their way to be joined: where the second one lies as seen from the first.
+/// Two ports to be joined, and the position of the second one relative to the first.
 #[derive(Debug, Clone)]
 pub(crate) struct PortPair<'a> {
     what: &'a str,
     pub(crate) port1: &'a Port,
     pub(crate) port2: &'a Port,
-    /// Unit vectors along which the ports look.
+    /// Unit vectors in the directions of the ports.
     pub(crate) forward1: Point,
     pub(crate) forward2: Point,
     /// Unit vector to the left of the first port.
@@ -33,12 +31,17 @@ pub(crate) struct PortPair<'a> {
 }
 
 impl<'a> PortPair<'a> {
-    /// The pair of a route; refused if a port is not at a finite place.
+    /// The pair of a route; refused if a number of a port is not finite.
     pub(crate) fn new(what: &'a str, port1: &'a Port, port2: &'a Port) -> Result<Self> {
         for (name, port) in [("port1", port1), ("port2", port2)] {
-            let sound = port.midpoint().is_finite() && port.orientation().is_finite() && port.width().is_finite();
-            if !sound || port.width() < 0.0 {
-                return Err(refused(what, name, port, "be at a finite place and at least 0 µm wide"));
+            let finite = port.midpoint().is_finite() && port.orientation().is_finite() && port.width().is_finite();
+            if !finite || port.width() < 0.0 {
+                return Err(refused(
+                    what,
+                    name,
+                    port,
+                    "have a finite midpoint and orientation, and a width of at least 0 µm",
+                ));
             }
         }
         Ok(Self {
@@ -51,7 +54,7 @@ impl<'a> PortPair<'a> {
         })
     }
 
-    /// What the route is called.
+    /// The name of the route.
     pub(crate) fn what(&self) -> &'a str {
         self.what
     }
@@ -67,19 +70,19 @@ impl<'a> PortPair<'a> {
         Point::new(from.dot(self.forward1), from.dot(self.left1))
     }
 
-    /// How far in front of the first port the second one lies (µm).
+    /// Distance of the second port in front of the first (µm).
     pub(crate) fn forward_distance(&self) -> f64 {
         self.span().dot(self.forward1)
     }
 
-    /// How far to the left of the first port the second one lies (µm).
+    /// Distance of the second port to the left of the first (µm).
     pub(crate) fn lateral_distance(&self) -> f64 {
         self.span().dot(self.left1)
     }
 
-    /// By how much the second port is turned against the first (degrees, three decimals, in `[0, 360)`).
+    /// Rotation of the second port against the first (degrees, three decimals, in `[0, 360)`).
     ///
-    /// The reference keeps 360 beside 0 and then enters the second port from behind.
+    /// PHIDL tells 360 from 0, and then enters the second port from behind.
     pub(crate) fn turn(&self) -> f64 {
         let turn = round3((self.port2.orientation() - self.port1.orientation()).rem_euclid(360.0));
         if turn >= 360.0 { 0.0 } else { turn }
@@ -90,11 +93,13 @@ impl<'a> PortPair<'a> {
         let turn = self.turn();
         match allowed.contains(&turn) {
             true => Ok(()),
-            false => Err(self.refused(format_args!("a turn of {turn}°"), rule)),
+            false => {
+                Err(self.error(format_args!("the ports are turned by {turn}° against each other, but must be {rule}")))
+            }
         }
     }
 
-    /// Refuses a length of the way that is less than it must be, with what is missing.
+    /// Refuses a length that is less than it must be, with the difference. `what` is a noun with its article.
     pub(crate) fn check_room(&self, what: &str, length: f64, least: f64) -> Result<()> {
         match length >= least {
             true => Ok(()),
@@ -102,49 +107,48 @@ impl<'a> PortPair<'a> {
         }
     }
 
-    /// The error for a length of the way that is less than it must be, with what is missing.
+    /// The error for a length that is less than it must be, with the difference.
     pub(crate) fn missing(&self, what: &str, length: f64, least: f64) -> Error {
         let (short, least, length) = (micrometers(least - length), micrometers(least), micrometers(length));
-        self.refused(format_args!("{what} of {length}"), format!("have at least {least}: {short} are missing"))
+        self.error(format_args!("{what} is {length}, but must be at least {least}: {short} are missing"))
     }
 
-    /// Refuses waypoints that do not start and end on the ports, leave the first one forwards and enter the second one
+    /// Refuses waypoints that do not start and end at the ports, leave the first one forwards and enter the second one
     /// from the front.
     pub(crate) fn check_waypoints(&self, points: &[Point]) -> Result<()> {
         let (first, last) = (points[0], points[points.len() - 1]);
         let off = first.distance(self.port1.midpoint()).max(last.distance(self.port2.midpoint()));
-        if off > JOINT {
-            return Err(self.refused(format_args!("{} off its ports", micrometers(off)), "start and end on them"));
+        if off.is_nan() || off > JOINT {
+            let message =
+                format_args!("the waypoints must start and end at the ports, but miss one by {}", micrometers(off));
+            return Err(self.error(message));
         }
         let different = |from: Point| move |p: &&Point| p.distance(from) > JOINT;
         let second = points.iter().find(different(first));
         let before_last = points.iter().rev().find(different(last));
         let (Some(second), Some(before_last)) = (second, before_last) else {
-            return Err(self.missing("a length", 0.0, JOINT));
+            return Err(self.error("the ports are at one position, so there is nothing to draw"));
         };
-        self.check_leg("leave the first port along its orientation", *second - first, self.forward1)?;
-        self.check_leg("enter the second port against its orientation", last - *before_last, -self.forward2)
+        self.check_leg("the first leg must leave port1 along its orientation", *second - first, self.forward1)?;
+        self.check_leg("the last leg must enter port2 against its orientation", last - *before_last, -self.forward2)
     }
 
-    /// Refuses a first or last leg that does not run along the axis of its port.
+    /// Refuses a first or last leg that is not on the axis of its port.
     fn check_leg(&self, rule: &str, leg: Point, along: Point) -> Result<()> {
         let ahead = leg.dot(along);
         if ahead <= 0.0 {
-            let missing = micrometers(-ahead);
-            return Err(
-                self.refused(format_args!("a leg {missing} backwards"), format!("{rule}: {missing} are missing"))
-            );
+            return Err(self.error(format_args!("{rule}, but leads {} backwards", micrometers(-ahead))));
         }
         let beside = leg.cross(along).abs();
         if beside > BESIDE && beside > ahead * SKEW.to_radians() {
-            return Err(self.refused(format_args!("a leg {} beside the axis", micrometers(beside)), rule));
+            return Err(self.error(format_args!("{rule}, but deviates by {} from the axis", micrometers(beside))));
         }
         Ok(())
     }
 
-    /// The error for something between the ports.
-    pub(crate) fn refused(&self, value: impl std::fmt::Display, rule: impl Into<String>) -> Error {
-        refused(self.what, &format!("the way {}", self.between()), value, rule)
+    /// The error for a rule between the ports: a sentence, with both ports before it.
+    pub(crate) fn error(&self, message: impl std::fmt::Display) -> Error {
+        Error::custom(self.what, format_args!("no route {}: {message}", self.between()))
     }
 
     /// Both ports, in a message.
@@ -180,14 +184,14 @@ pub(crate) fn title(role: &str, port: &Port) -> String {
     format!("{name} at {} facing {}°", port.midpoint(), port.orientation())
 }
 
-/// A length in a message, without the noise of its last bits.
+/// A length in a message, rounded to a picometer.
 pub(crate) fn micrometers(um: f64) -> String {
     const PICOMETERS: f64 = 1e6;
     format!("{} µm", (um * PICOMETERS).round() / PICOMETERS)
 }
 
-/// The unit vector along which a port faces, computed like the reference (docs/reference/routes.md): of the plain sine and cosine, also at multiples
-/// of 90°. (Exact ones would move waypoints by 1e-14 µm only, but whether a bend has 179 points or 180 hangs on that.)
+/// The unit vector in the direction of a port, from the system's sine and cosine, also at multiples of 90°, as in PHIDL.
+/// (Exact ones would move waypoints by 1e-14 µm only, but that decides whether a bend has 179 or 180 points.)
 fn forward(port: &Port) -> Point {
     let (sin, cos) = port.orientation().to_radians().sin_cos();
     Point::new(cos, sin)
@@ -197,12 +201,12 @@ pub(crate) fn left_of(forward: Point) -> Point {
     Point::new(-forward.y, forward.x)
 }
 
-/// Three decimals, halves to even, as PHIDL compares lengths and angles.
+/// Three decimals, halves to even: the precision to which PHIDL compares lengths and angles.
 pub(crate) fn round3(v: f64) -> f64 {
     (v * 1000.0).round_ties_even() / 1000.0
 }
 
-/// Whether two ports look at each other, whatever is between them.
+/// Whether two ports have opposite orientations.
 pub(crate) fn opposite(port1: &Port, port2: &Port) -> bool {
     round3(angle::between(port1.orientation(), port2.orientation())) == 180.0
 }
@@ -224,40 +228,29 @@ mod tests {
     }
 
     #[test]
-    fn a_full_turn_but_for_noise_is_none() {
+    fn a_full_turn_up_to_rounding_is_none() {
         let (a, b) = (port(0.0, 0.0, 0.0), port(9.0, 9.0, 359.999_999_99));
         assert_eq!(PortPair::new("test", &a, &b).unwrap().turn(), 0.0);
     }
 
     #[test]
-    fn what_is_missing_is_told_with_both_ports() {
-        let (a, b) = (port(0.0, 0.0, 0.0).named("in"), port(3.1, 5.0, 270.0));
-        let pair = PortPair::new("route", &a, &b).unwrap();
-        assert_eq!(
-            pair.check_room("a leg", pair.forward_distance(), 5.0).unwrap_err().to_string(),
-            "route: the way from port1 \"in\" at (0, 0) facing 0° to port2 at (3.1, 5) facing 270° is a leg of 3.1 µm, \
-             but it must have at least 5 µm: 1.9 µm are missing"
-        );
-    }
-
-    #[test]
-    fn a_way_that_misses_a_port_or_its_direction_is_refused() {
+    fn waypoints_that_miss_a_port_or_its_direction_are_refused() {
         let (a, b) = (port(0.0, 0.0, 0.0), port(10.0, 5.0, 270.0));
         let pair = PortPair::new("route", &a, &b).unwrap();
         let check =
             |points: &[(f64, f64)]| pair.check_waypoints(&points.iter().copied().map(Point::from).collect::<Vec<_>>());
         assert!(check(&[(0., 0.), (10., 0.), (10., 5.)]).is_ok());
         assert!(check(&[(0., 0.), (0., 0.), (10., 0.), (10., 5.)]).is_ok(), "a repeated point has no direction");
-        assert!(check(&[(0., 0.), (10., 0.), (10., 4.)]).unwrap_err().to_string().contains("1 µm off its ports"));
+        assert!(check(&[(0., 0.), (10., 0.), (10., 4.)]).unwrap_err().to_string().contains("miss one by 1 µm"));
         assert!(check(&[(0., 0.), (-3., 0.), (-3., -2.), (10., -2.), (10., 5.)]).is_err(), "leaves backwards");
         assert!(check(&[(0., 0.), (12., 0.), (12., 9.), (10., 9.), (10., 5.)]).is_err(), "arrives from behind");
         assert!(check(&[(0., 0.), (10., 5.)]).is_err(), "leaves sideways");
     }
 
     #[test]
-    fn ports_that_cannot_be_are_refused() {
-        let sound = port(0.0, 0.0, 0.0);
-        assert!(PortPair::new("route", &sound, &port(f64::NAN, 0.0, 0.0)).is_err());
-        assert!(PortPair::new("route", &Port::new((0, 0), -1, 0), &sound).is_err());
+    fn ports_with_invalid_numbers_are_refused() {
+        let valid = port(0.0, 0.0, 0.0);
+        assert!(PortPair::new("route", &valid, &port(f64::NAN, 0.0, 0.0)).is_err());
+        assert!(PortPair::new("route", &Port::new((0, 0), -1, 0), &valid).is_err());
     }
 }

@@ -15,7 +15,7 @@ use crate::port_pair::{PortPair, left_of};
 /// ```
 ///
 /// Its corners are the ends of the ports, clockwise about their mean, the first one after the direction straight down.
-/// Nothing is asked of the places and directions of the ports.
+/// The ports may have any position and orientation.
 ///
 /// # Ports
 /// `1` on `port1`, `width1` wide, and `2` on `port2`, `width2` wide, facing them.

@@ -4,7 +4,7 @@ use phidl_core::prelude::*;
 use phidl_macros::device;
 use phidl_path::Path;
 
-use crate::draw::RouteDrawing;
+use crate::draw::{RouteDrawing, overlaps};
 use crate::path_type::{WaypointRule, turns};
 use crate::port_pair::PortPair;
 use crate::{PathType, RouteWidth};
@@ -17,19 +17,21 @@ use crate::{PathType, RouteWidth};
 ///                   ┴ port2
 /// ```
 ///
-/// A manhattan way has legs with room for two widths of the wider port.
+/// The legs of a Manhattan route have room for two widths of the wider port.
 ///
 /// # Ports
 /// `1` on `port1` and `2` on `port2`, facing them, as wide as the route is there, with their info. With a cross-section:
 /// those of its sections.
 ///
 /// # Info
-/// `length` (µm), `bends`, and `smallest_radius`: 0 µm, or null without a corner.
+/// `length` (µm), `bends`, and `smallest_radius`: 0 µm, or null without a corner. A Manhattan route that has no room for
+/// its fewest corners takes more, as in PHIDL, and then records `detour` (µm beyond the ports) and `detour_reason`.
 ///
 /// # Errors
-/// The way must leave `port1` forwards and enter `port2` from the front. A length that the way does not have, a layer
-/// beside a cross-section, and a width of no port and no number are refused; and so is a wire that folds back, because a leg
-/// is shorter than its corners are wide, or a corner turns by more than 168.5°.
+/// The route must leave `port1` forwards and enter `port2` from the front. A length that the path type does not have, a
+/// layer beside a cross-section, and ports of width 0 without a `width` are refused. A wire that overlaps itself, because a
+/// leg is too short for its width or a corner turns by more than 168.5°, is refused, and a wire that runs over itself unless
+/// `allow_crossings` is set.
 ///
 /// # Numerics
 /// Without a `width`, the width changes from that of `port1` to that of `port2` in proportion to the length, along all
@@ -56,13 +58,13 @@ pub fn route_sharp(
     #[default(None)]
     #[param(unit = "um")]
     width: Option<RouteWidth>,
-    /// Which way it takes.
+    /// The shape of the route.
     #[default(PathType::Manhattan)]
     path_type: PathType,
     /// Where it is drawn; to be left out with a cross-section, whose sections have layers of their own.
     #[default(0)]
     layer: Layers,
-    /// The waypoints of a manual way, from port to port.
+    /// The waypoints of a manual route, from port to port.
     #[default(None)]
     #[param(unit = "um", named)]
     manual_path: Option<Vec<Point>>,
@@ -74,16 +76,21 @@ pub fn route_sharp(
     #[default(None)]
     #[param(unit = "um", named)]
     length2: Option<f64>,
-    /// How far a C goes to the left first (100 if not given); to the right if negative.
+    /// First side step of a C to the left (100 if not given); to the right if negative.
     #[default(None)]
     #[param(unit = "um", named)]
     left1: Option<f64>,
+    /// Whether the wire may run over itself.
+    #[default(false)]
+    #[param(named)]
+    allow_crossings: bool,
 ) -> Result<Device> {
     const NAME: &str = "route_sharp";
     let pair = PortPair::new(NAME, &port1, &port2)?;
     let radius = port1.width().max(port2.width());
     let manual_path = manual_path.as_deref();
-    let points = WaypointRule { what: NAME, path_type, manual_path, length1, length2, left1, radius }.points(&pair)?;
+    let rule = WaypointRule { what: NAME, path_type, manual_path, length1, length2, left1, radius };
+    let (points, detour) = rule.points(&pair)?;
     let bends = turns(&points).len();
     let drawing = RouteDrawing {
         what: NAME,
@@ -93,6 +100,9 @@ pub fn route_sharp(
         width: width.as_ref(),
         bends,
         smallest_radius: (bends > 0).then_some(0.0),
+        overlaps: overlaps(allow_crossings),
     };
-    drawing.between_ports(&pair)?.build()
+    let mut d = drawing.between_ports(&pair)?;
+    detour.iter().for_each(|detour| detour.record(&mut d));
+    d.build()
 }

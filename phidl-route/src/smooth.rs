@@ -4,12 +4,12 @@ use phidl_core::prelude::*;
 use phidl_macros::device;
 use phidl_path::Path;
 
-use crate::draw::RouteDrawing;
+use crate::draw::{RouteDrawing, overlaps};
 use crate::path_type::{WaypointRule, turns};
 use crate::port_pair::{PortPair, refused};
 use crate::{PathType, RouteWidth, SmoothOptions};
 
-/// Draws a wire between two ports, with a bend at every corner of its way.
+/// Draws a wire between two ports, with a bend at every corner.
 ///
 /// ```text
 ///            ╭──────╮
@@ -23,13 +23,15 @@ use crate::{PathType, RouteWidth, SmoothOptions};
 ///
 /// # Info
 /// `length` (µm), `bends`, and `smallest_radius` (µm; null without a bend). By default this is about half of `radius`, which
-/// is that of the arc as large as the bend.
+/// is that of the arc with the same ends. A Manhattan route that has no room for its fewest corners takes more, as in
+/// PHIDL, and then records `detour` (µm beyond the ports) and `detour_reason`.
 ///
 /// # Errors
-/// The way must leave `port1` forwards and enter `port2` from the front, and have room for its bends. A length that the
-/// way does not have, a layer beside a cross-section, and a width of no port and no number are refused. A manhattan way
-/// has room for bends as large as the arc of their radius; for others, set `use_eff`. A wire whose inner edge folds back,
-/// because a bend is tighter than half the width, is refused with the place of the fold.
+/// The route must leave `port1` forwards and enter `port2` from the front, and have room for its bends. A length that the
+/// path type does not have, a layer beside a cross-section, and ports of width 0 without a `width` are refused. A Manhattan
+/// route has room for bends as large as the arc of their radius; for others, set `use_eff`. A wire that overlaps itself at a
+/// bend is refused with the radius and the width that would do, and a wire that runs over itself unless `allow_crossings`
+/// is set.
 ///
 /// # Numerics
 /// Without a `width`, the width changes from that of `port1` to that of `port2` in proportion to the length. Edges are
@@ -54,7 +56,7 @@ pub fn route_smooth(
     port1: Port,
     /// Where it ends.
     port2: Port,
-    /// Radius of the bends, that of the arc as large as the bend unless `smooth_options` say otherwise.
+    /// Radius of the bends: of the arc with the same ends, unless `smooth_options` choose the smallest radius.
     #[default(5.0)]
     #[param(unit = "um", above = 0.0)]
     radius: f64,
@@ -62,17 +64,17 @@ pub fn route_smooth(
     #[default(None)]
     #[param(unit = "um")]
     width: Option<RouteWidth>,
-    /// Which way it takes.
+    /// The shape of the route.
     #[default(PathType::Manhattan)]
     path_type: PathType,
     /// Where it is drawn; to be left out with a cross-section, whose sections have layers of their own.
     #[default(0)]
     layer: Layers,
-    /// The waypoints of a manual way, from port to port.
+    /// The waypoints of a manual route, from port to port.
     #[default(None)]
     #[param(unit = "um", named)]
     manual_path: Option<Vec<Point>>,
-    /// What is drawn at the corners.
+    /// The bends.
     #[default(SmoothOptions::default())]
     #[param(named)]
     smooth_options: SmoothOptions,
@@ -84,19 +86,24 @@ pub fn route_smooth(
     #[default(None)]
     #[param(unit = "um", named)]
     length2: Option<f64>,
-    /// How far a C goes to the left first (100 if not given); to the right if negative.
+    /// First side step of a C to the left (100 if not given); to the right if negative.
     #[default(None)]
     #[param(unit = "um", named)]
     left1: Option<f64>,
+    /// Whether the wire may run over itself.
+    #[default(false)]
+    #[param(named)]
+    allow_crossings: bool,
 ) -> Result<Device> {
     const NAME: &str = "route_smooth";
     if path_type == PathType::Manhattan && !smooth_options.is_as_large_as_its_arc() {
-        let given = "an Euler bend of this smallest radius";
-        return Err(refused(NAME, "smooth_options", given, "have use_eff on a manhattan way, or it has no room"));
+        let rule = "have use_eff on a Manhattan route, whose legs have room for the effective radius only";
+        return Err(refused(NAME, "smooth_options", "an Euler bend by its smallest radius", rule));
     }
     let pair = PortPair::new(NAME, &port1, &port2)?;
     let manual_path = manual_path.as_deref();
-    let points = WaypointRule { what: NAME, path_type, manual_path, length1, length2, left1, radius }.points(&pair)?;
+    let rule = WaypointRule { what: NAME, path_type, manual_path, length1, length2, left1, radius };
+    let (points, detour) = rule.points(&pair)?;
     let turns = turns(&points);
     let smooth = |options| Path::smooth(&points, radius, options).map_err(|error| error.within(pair.between()));
     let (path, finer) = (smooth(smooth_options)?, smooth_options.finer().map(smooth).transpose()?);
@@ -109,6 +116,9 @@ pub fn route_smooth(
         width: width.as_ref(),
         bends: turns.len(),
         smallest_radius: radii.into_iter().reduce(f64::min),
+        overlaps: overlaps(allow_crossings),
     };
-    drawing.between_ports(&pair)?.build()
+    let mut d = drawing.between_ports(&pair)?;
+    detour.iter().for_each(|detour| detour.record(&mut d));
+    d.build()
 }

@@ -2,27 +2,30 @@
 
 use std::collections::BTreeMap;
 
+use crate::port_pair::{PortPair, micrometers};
+use phidl_core::Error;
 use phidl_core::layer::Layers;
 use phidl_core::param::{ConversionError, IntoOption, Param, ParamType, Value};
-use phidl_path::{CrossSection, Profile, Section};
+use phidl_path::{Beside, CrossSection, Profile, Section, Side};
 
-/// How wide a route is: one width, a change from one to another, or the strips of a cross-section.
+/// The width of a route: one width, a change from one to another, or the sections of a cross-section.
 ///
 /// As a parameter: `2.5`, `(2.5, 1)`, or a [`CrossSection`]. In JSON: `2.5`, `[2.5, 1]`, or
-/// `{"sections": [{"width": 1, "offset": 3, "layer": 5, "start_port": "1", "end_port": "2", "name": "rib"}, …]}`, where
-/// all but the width may be left out.
+/// `{"sections": [{"width": 1, "offset": 3, "layer": 5, "start_port": "1", "end_port": "2", "name": "rib"}, …]}`. All keys
+/// except `width` are optional; `"right_of": "rib"` or `"left_of"` takes the place of an offset, and `{"sine": [1, 2]}` that
+/// of a number.
 #[derive(Debug, Clone)]
 pub enum RouteWidth {
-    /// The same all along (µm).
+    /// The same everywhere (µm).
     Constant(f64),
     /// From the first width to the second (µm), in proportion to the length.
     Linear(f64, f64),
-    /// The strips of a cross-section, whose widths and offsets are numbers or pairs. (A route is kept by its
-    /// parameters, and functions cannot be compared: for these, extrude the centerline by hand.)
+    /// The sections of a cross-section, whose widths and offsets are numbers or laws between two numbers. Functions cannot
+    /// be compared, and the cache of generators compares parameters: [`route_custom`](crate::route_custom) takes them.
     Sections(CrossSection),
 }
 
-/// What stands for a profile that cannot be a parameter; reading it back is an error.
+/// The value of a profile that cannot be a parameter; reading it is an error.
 const NO_NUMBER: &str = "a function or a list";
 
 impl PartialEq for RouteWidth {
@@ -32,15 +35,40 @@ impl PartialEq for RouteWidth {
 }
 
 impl RouteWidth {
-    /// Whether it says all that it is as a parameter.
-    pub(crate) fn is_sound(&self) -> bool {
-        let plain = |profile: &Profile| matches!(profile, Profile::Constant(_) | Profile::Linear(..));
+    /// Whether the parameter value is complete.
+    pub(crate) fn is_parameter(&self) -> bool {
+        let is_law =
+            |profile: &Profile| matches!(profile, Profile::Constant(_) | Profile::Linear(..) | Profile::Sine(..));
         match self {
             Self::Constant(_) | Self::Linear(..) => true,
-            Self::Sections(x) => x.sections().iter().all(|s| plain(&s.width) && plain(&s.offset)),
+            Self::Sections(x) => x.sections().iter().all(|s| is_law(&s.width) && is_law(&s.offset)),
         }
     }
 }
+
+/// The width of a Manhattan wire (µm): its widest part, or twice the largest distance of an edge from the centerline.
+/// Without a width, both ports must have the same one.
+pub(crate) fn wire_width(pair: &PortPair<'_>, width: Option<&RouteWidth>) -> Result<f64, Error> {
+    match width {
+        Some(RouteWidth::Constant(width)) => Ok(*width),
+        Some(RouteWidth::Linear(from, to)) => Ok(from.max(*to)),
+        Some(RouteWidth::Sections(x)) => x.reach().map(|[left, right]| 2.0 * left.max(right)),
+        None => {
+            let [own, other] = [pair.port1.width(), pair.port2.width()];
+            match (own - other).abs() <= SAME_WIDTH {
+                true => Ok(own),
+                false => Err(pair.error(format_args!(
+                    "port1 is {} wide and port2 {}; give a `width`, or a pair of widths for a taper",
+                    micrometers(own),
+                    micrometers(other)
+                ))),
+            }
+        }
+    }
+}
+
+/// Ports whose widths differ by no more than this (µm) are equally wide.
+const SAME_WIDTH: f64 = 1e-6;
 
 impl Param for RouteWidth {
     fn param_type() -> ParamType {
@@ -87,14 +115,27 @@ fn section_value(section: &Section) -> Value {
         ("end_port", text(&section.end_port)),
         ("name", text(&section.name)),
     ];
-    Value::Map(entries.into_iter().map(|(key, value)| (key.to_owned(), value)).collect())
+    let beside = section.beside.as_ref().map(|beside| (key_of(beside.side), Value::from(beside.section.clone())));
+    Value::Map(entries.into_iter().chain(beside).map(|(key, value)| (key.to_owned(), value)).collect())
 }
 
 fn profile_value(profile: &Profile) -> Value {
     match profile {
         Profile::Constant(v) => (*v).into(),
         Profile::Linear(from, to) => vec![*from, *to].into(),
+        Profile::Sine(from, to) => BTreeMap::from([(SINE.to_owned(), Value::from(vec![*from, *to]))]).into(),
         _ => NO_NUMBER.into(),
+    }
+}
+
+/// The key of a raised cosine between two numbers.
+const SINE: &str = "sine";
+
+/// The key of the section at whose edge another one begins.
+fn key_of(side: Side) -> &'static str {
+    match side {
+        Side::Right => "right_of",
+        Side::Left => "left_of",
     }
 }
 
@@ -102,7 +143,7 @@ fn section(value: &Value) -> Result<Section, ConversionError> {
     let Value::Map(map) = value else {
         return Err(ConversionError::new(value, "be a section, {\"width\": …, …}"));
     };
-    let known = ["width", "offset", "layer", "start_port", "end_port", "name"];
+    let known = ["width", "offset", "layer", "start_port", "end_port", "name", "right_of", "left_of"];
     if let Some(unknown) = map.keys().find(|key| !known.contains(&key.as_str())) {
         return Err(ConversionError::new(value, format!("be a section, without {unknown:?}")));
     }
@@ -118,11 +159,22 @@ fn section(value: &Value) -> Result<Section, ConversionError> {
     if let Some(layer) = map.get("layer") {
         section = section.layer(Layers::from_value(layer).map_err(|mismatch| mismatch.at(".layer"))?);
     }
+    for side in [Side::Right, Side::Left] {
+        if let Some(other) = text(key_of(side))? {
+            section.beside = Some(Beside { section: other, side });
+        }
+    }
     Ok(Section { start_port: text("start_port")?, end_port: text("end_port")?, name: text("name")?, ..section })
 }
 
-/// A number or a pair of numbers.
+/// A number, a pair of numbers, or a raised cosine between two.
 fn profile(value: &Value) -> Result<Profile, ConversionError> {
+    if let Value::Map(map) = value {
+        return match (map.len(), map.get(SINE).and_then(Value::as_list)) {
+            (1, Some([from, to])) => Ok(Profile::Sine(f64::from_value(from)?, f64::from_value(to)?)),
+            _ => Err(ConversionError::new(value, "be a number, a pair of numbers, or {\"sine\": [from, to]}")),
+        };
+    }
     match value.as_list() {
         Some([from, to]) => Ok(Profile::Linear(f64::from_value(from)?, f64::from_value(to)?)),
         _ => f64::from_value(value).map(Profile::Constant),
@@ -185,21 +237,23 @@ mod tests {
     fn every_width_comes_back_from_its_value() {
         let rib = CrossSection::new()
             .add(Section::new(0.5).layer((1, 3)).ports("1", "2").named("core"))
-            .add(Section::new((6, 4)).offset(-2).layer(Layers::NONE));
+            .add(Section::new((6, 4)).offset(-2).layer(Layers::NONE))
+            .add(Section::new(Profile::Sine(1.0, 2.0)).right_of("core"))
+            .add(Section::new(3).left_of("core"));
         for width in [RouteWidth::from(2), (2.5, 1).into(), [1, 2].into(), rib.into()] {
             assert_eq!(RouteWidth::from_value(&width.to_value()).unwrap(), width);
-            assert!(width.is_sound());
+            assert!(width.is_parameter());
         }
     }
 
     #[test]
-    fn a_function_is_no_parameter() {
+    fn a_function_cannot_be_a_parameter() {
         let wavy = RouteWidth::from(Section::new(|t: f64| 1.0 + t));
-        assert!(!wavy.is_sound() && RouteWidth::from_value(&wavy.to_value()).is_err());
+        assert!(!wavy.is_parameter() && RouteWidth::from_value(&wavy.to_value()).is_err());
     }
 
     #[test]
-    fn what_is_no_width_is_told_with_its_place() {
+    fn an_invalid_width_is_refused_with_its_position() {
         let sections = |section: Value| {
             let map = BTreeMap::from([("sections".to_owned(), Value::List(vec![section]))]);
             RouteWidth::from_value(&map.into()).unwrap_err().to_string()

@@ -5,15 +5,15 @@ use phidl_macros::device;
 use phidl_path::Path;
 
 use crate::RouteWidth;
-use crate::draw::RouteDrawing;
+use crate::draw::{RouteDrawing, overlaps};
 use crate::path_type::turns;
 use crate::port_pair::{PortPair, refused};
 
-/// Steps up to this long (µm) are passed over.
+/// Steps up to this length (µm) are skipped.
 const SHORTEST: f64 = 1e-6;
 
-/// A line in steps along x and y, in the order of `directions`: each `x` goes an equal part of the way in x, each `y` of
-/// that in y. Capitals are the same.
+/// A line in steps along x and y, in the order of `directions`: each `x` goes an equal part of the distance in x, each `y`
+/// of the distance in y. Capitals are accepted.
 ///
 /// ```
 /// # use phidl_route::path_xy;
@@ -23,13 +23,13 @@ const SHORTEST: f64 = 1e-6;
 /// ```
 ///
 /// # Errors
-/// [`Error::Param`](phidl_core::Error::Param) for other letters, if a direction is missing in which there is a way to
-/// go (the reference then ends somewhere else), or if the points are one.
+/// [`Error::Param`](phidl_core::Error::Param) for other letters, or if a needed letter is missing (PHIDL then ends at another
+/// point); [`Error::Custom`] if the two points are one.
 pub fn path_xy(port1: impl Into<Point>, port2: impl Into<Point>, directions: &str) -> Result<Path> {
     Path::from_points(steps("path_xy", port1.into(), port2.into(), directions)?)
 }
 
-/// Draws a wire in steps along x and y, whatever the ports face: for fans of parallel wires.
+/// Draws a wire in steps along x and y, for any orientation of the ports: for fans of parallel wires.
 ///
 /// ```text
 ///                  ┌───┤ port2
@@ -45,7 +45,7 @@ pub fn path_xy(port1: impl Into<Point>, port2: impl Into<Point>, directions: &st
 /// `length` (µm), `bends`, and `smallest_radius`: 0 µm, or null without a corner.
 ///
 /// # Errors
-/// As for [`path_xy`]; and for widths and folds as in [`route_sharp`](fn@crate::route_sharp).
+/// As for [`path_xy`]; and for widths and overlaps as in [`route_sharp`](fn@crate::route_sharp).
 ///
 /// # Examples
 /// ```
@@ -74,6 +74,10 @@ pub fn route_xy(
     /// Where it is drawn; to be left out with a cross-section, whose sections have layers of their own.
     #[default(0)]
     layer: Layers,
+    /// Whether the wire may run over itself.
+    #[default(false)]
+    #[param(named)]
+    allow_crossings: bool,
 ) -> Result<Device> {
     const NAME: &str = "route_xy";
     let pair = PortPair::new(NAME, &port1, &port2)?;
@@ -87,6 +91,7 @@ pub fn route_xy(
         width: width.as_ref(),
         bends,
         smallest_radius: (bends > 0).then_some(0.0),
+        overlaps: overlaps(allow_crossings),
     };
     match width {
         None => drawing.on_its_own(&pair)?.build(),
@@ -102,18 +107,18 @@ fn steps(what: &str, from: Point, to: Point, directions: &str) -> Result<Vec<Poi
             what,
             "directions",
             format_args!("{directions:?}"),
-            format!("have no {other:?}, only x and y"),
+            format!("have only x and y, not {other:?}"),
         ));
     }
     let count = |letter| directions.chars().filter(|other| *other == letter).count();
-    let (columns, rows, way) = (count('x'), count('y'), to - from);
-    for (letter, count, way) in [('x', columns, way.x), ('y', rows, way.y)] {
+    let (columns, rows, distance) = (count('x'), count('y'), to - from);
+    for (letter, count, way) in [('x', columns, distance.x), ('y', rows, distance.y)] {
         if count == 0 && way.abs() > SHORTEST {
-            let rule = format!("have an {letter:?}: {} µm are to go", way.abs());
+            let rule = format!("contain {letter:?}, since the ports are {} µm apart in {letter}", way.abs());
             return Err(refused(what, "directions", format_args!("{directions:?}"), rule));
         }
     }
-    let (along_x, along_y) = (Point::new(way.x / columns as f64, 0.0), Point::new(0.0, way.y / rows as f64));
+    let (along_x, along_y) = (Point::new(distance.x / columns as f64, 0.0), Point::new(0.0, distance.y / rows as f64));
     let mut points = vec![from];
     for letter in directions.chars() {
         let step = if letter == 'x' { along_x } else { along_y };
@@ -123,7 +128,7 @@ fn steps(what: &str, from: Point, to: Point, directions: &str) -> Result<Vec<Poi
     }
     match points.as_mut_slice() {
         [_, .., last] => *last = to,
-        _ => return Err(refused(what, "port2", format_args!("{to}, the same as port1"), "be somewhere else")),
+        _ => return Err(Error::custom(what, format!("both ports are at {to}, so there is nothing to draw"))),
     }
     Ok(points)
 }
@@ -145,15 +150,18 @@ mod tests {
     }
 
     #[test]
-    fn steps_of_no_length_are_passed_over() {
+    fn steps_of_no_length_are_skipped() {
         assert_eq!(corners((12., 0.), "xyx"), [(0., 0.), (6., 0.), (12., 0.)]);
         assert_eq!(corners((12., 0.), "xx"), [(0., 0.), (6., 0.), (12., 0.)]);
     }
 
     #[test]
-    fn lines_that_would_not_arrive_are_refused() {
+    fn lines_that_would_end_elsewhere_are_refused() {
         let error = path_xy((0, 0), (12, 8), "x").unwrap_err();
-        assert_eq!(error.to_string(), "path_xy: directions is \"x\", but it must have an 'y': 8 µm are to go");
+        assert_eq!(
+            error.to_string(),
+            "path_xy: directions is \"x\", but it must contain 'y', since the ports are 8 µm apart in y"
+        );
         assert!(path_xy((0, 0), (12, 8), "").is_err() && path_xy((0, 0), (12, 8), "xz").is_err());
         assert!(path_xy((1, 1), (1, 1), "xy").is_err());
     }

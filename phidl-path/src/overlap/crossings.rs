@@ -194,18 +194,24 @@ impl Tree {
     }
 }
 
-/// The distance of two straight segments (µm).
-pub(super) fn segment_distance(a: [Point; 2], b: [Point; 2]) -> f64 {
+/// The distance of two straight segments (µm), and the fractions of both at which they are that close.
+pub(super) fn segment_distance(a: [Point; 2], b: [Point; 2]) -> (f64, [f64; 2]) {
     let side = |[from, to]: [Point; 2], p: Point| (to - from).cross(p - from);
-    let crosses = side(a, b[0]) * side(a, b[1]) < 0.0 && side(b, a[0]) * side(b, a[1]) < 0.0;
-    let to_segment = |p: Point, [from, to]: [Point; 2]| {
+    let ([a0, a1], [b0, b1]) = ([side(b, a[0]), side(b, a[1])], [side(a, b[0]), side(a, b[1])]);
+    if a0 * a1 < 0.0 && b0 * b1 < 0.0 {
+        return (0.0, [a0 / (a0 - a1), b0 / (b0 - b1)]);
+    }
+    let nearest = |p: Point, [from, to]: [Point; 2]| {
         let along = to - from;
         let square = along.dot(along);
         let part = if square > 0.0 { ((p - from).dot(along) / square).clamp(0.0, 1.0) } else { 0.0 };
-        p.distance(from + along * part)
+        (p.distance(from + along * part), part)
     };
-    let ends = [to_segment(a[0], b), to_segment(a[1], b), to_segment(b[0], a), to_segment(b[1], a)];
-    if crosses { 0.0 } else { ends.into_iter().fold(f64::INFINITY, f64::min) }
+    let from_a =
+        a.into_iter().zip([0.0, 1.0]).map(|(p, end)| (nearest(p, b), end)).map(|((d, at), end)| (d, [end, at]));
+    let from_b =
+        b.into_iter().zip([0.0, 1.0]).map(|(p, end)| (nearest(p, a), end)).map(|((d, at), end)| (d, [at, end]));
+    from_a.chain(from_b).fold((f64::INFINITY, [0.0; 2]), |best, own| if own.0 < best.0 { own } else { best })
 }
 
 #[cfg(test)]
@@ -227,8 +233,8 @@ mod tests {
     fn segments_have_the_distance_of_their_nearest_points() {
         let distance =
             |a: [(f64, f64); 2], b: [(f64, f64); 2]| segment_distance(a.map(Point::from), b.map(Point::from));
-        assert_eq!(distance([(0., 0.), (4., 0.)], [(2., -1.), (2., 1.)]), 0.0);
-        assert_eq!(distance([(0., 0.), (4., 0.)], [(7., 4.), (9., 9.)]), 5.0);
-        assert_eq!(distance([(0., 0.), (4., 0.)], [(1., 3.), (2., 3.)]), 3.0);
+        assert_eq!(distance([(0., 0.), (4., 0.)], [(1., -1.), (1., 1.)]), (0.0, [0.25, 0.5]));
+        assert_eq!(distance([(0., 0.), (4., 0.)], [(7., 4.), (9., 9.)]), (5.0, [1.0, 0.0]));
+        assert_eq!(distance([(0., 0.), (4., 0.)], [(1., 3.), (2., 4.)]), (3.0, [0.25, 0.0]));
     }
 }

@@ -17,6 +17,7 @@ use phidl_core::{Error, Result};
 use crate::band::Band;
 use crate::rule::um;
 use crate::{CrossSection, Path, Side};
+use crossings::segment_distance;
 
 pub(crate) use union::polygons;
 
@@ -97,19 +98,24 @@ fn of_band(band: &Band<'_>, section: usize, lengths: &[f64], turns: bool) -> Vec
     overlaps
 }
 
-/// The overlap of the first two turns that cross.
+/// The overlap of two turns, at the pair of steps that are closest to each other.
 fn between_turns(
     band: &Band<'_>,
     section: usize,
     crossings: &[(usize, usize)],
     at: impl Fn(usize) -> f64,
 ) -> Option<SelfOverlap> {
-    let &(first, second) = crossings.iter().min()?;
     let points = &band.normals.points;
-    let apart =
-        |&(a, b): &(usize, usize)| crossings::segment_distance([points[a], points[a + 1]], [points[b], points[b + 1]]);
-    let distance = crossings.iter().map(apart).fold(f64::INFINITY, f64::min);
-    Some(SelfOverlap { section, from: at(first), to: at(second), cause: OverlapCause::Turns { distance } })
+    let position = |step: usize, part: f64| at(step) + part * (at(step + 1) - at(step));
+    let overlap = |&(a, b): &(usize, usize)| {
+        let (distance, [from, to]) = segment_distance([points[a], points[a + 1]], [points[b], points[b + 1]]);
+        SelfOverlap { section, from: position(a, from), to: position(b, to), cause: OverlapCause::Turns { distance } }
+    };
+    let key = |overlap: &SelfOverlap| match overlap.cause {
+        OverlapCause::Turns { distance } => distance,
+        OverlapCause::Bend { .. } => f64::INFINITY,
+    };
+    crossings.iter().map(overlap).min_by(|a, b| key(a).total_cmp(&key(b)).then(a.from.total_cmp(&b.from)))
 }
 
 impl SelfOverlap {

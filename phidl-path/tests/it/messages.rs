@@ -146,7 +146,7 @@ fn messages_of_cross_sections() {
         section 2: offset is 2.0 µm, but it must be left out, since the section begins at an edge of "wg"
         transition: the cross-sections need a section name in common, but the first has wg, etch and the second has rib
         transition: the cross-sections need a section name in common, but the first has wg, etch and the second has no named section
-        section "wg": width is [1.0, 2.0], but it must be a number or a function at the end of a transition
+        section "wg": width is [1.0, 2.0], but it must be a number or a function, and finite at t = 1
     "#]].assert_eq(&listed(errors));
 }
 
@@ -179,7 +179,7 @@ fn messages_of_extrusions() {
         extrude: section "heater" overlaps itself on the right from 10 µm to 13.141583 µm along the path: its edge lies 1.75 µm from the path, which bends too tightly there; a bend radius, or a leg between corners, of at least 1.75 µm, or the section may lie closer to the path
         extrude: section 0 overlaps itself on the left from 0 µm to 2 µm along the path: its edge lies 2 µm from the path, which bends too tightly there; a bend radius, or a leg between corners, of at least 2 µm, or a width of at most 2 µm would do
         extrude: section 0 overlaps itself on the right from 9 µm to 9 µm along the path: its edge lies 0.5 µm from the path, which bends too tightly there; a bend radius, or a leg between corners, of at least 0.5 µm, or the section may lie closer to the path
-        extrude: section 0 overlaps itself: the positions at 0.244479 µm and at 145.35023 µm along the path are 2.982832 µm apart; a width of at most 2.982 µm would do
-        extrude: section 0 crosses itself: the path passes twice through one position, at 0 µm and at 110 µm along it
+        extrude: section 0 overlaps itself: the positions at 65.9883 µm and at 145.385693 µm along the path are 2.982832 µm apart; a width of at most 2.982 µm would do
+        extrude: section 0 crosses itself: the path passes twice through one position, at 20 µm and at 140 µm along it
     "#]].assert_eq(&listed(errors));
 }

@@ -1,4 +1,4 @@
-//! [`RouteBend`]: the bends of manhattan routes.
+//! [`RouteBend`]: the bends of Manhattan routes.
 
 use phidl_core::Result;
 use phidl_macros::Choice;
@@ -6,7 +6,7 @@ use phidl_path::{ArcBend, Bend, EulerBend, Path};
 
 use crate::port_pair::{check_positive, refused};
 
-/// What a manhattan route does at its corners. None is tighter anywhere than the radius that is asked for.
+/// The bends of a Manhattan route. None is tighter anywhere than the given radius.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Choice)]
 pub enum RouteBend {
     /// An arc.
@@ -14,34 +14,34 @@ pub enum RouteBend {
     Circular,
     /// An Euler bend: the curvature rises to 1/radius and falls. Nearly twice as large as the arc of the radius.
     ///
-    /// (PHIDL 1.5 has bends as large as the arc, which are nearly twice as tight as their radius;
+    /// (PHIDL's bends are as large as the arc, and nearly twice as tight as their radius;
     /// [`route_smooth`](fn@crate::route_smooth) draws those.)
     Euler,
     /// An arc whose curvature rises and falls in ten steps; about half as large again as the arc of the radius.
     Gradual,
 }
 
-/// How many arcs of a gradual bend lead up to its radius.
+/// Number of arcs of a gradual bend before its radius.
 const STEPS: u32 = 10;
-/// How far these arcs turn together (degrees).
+/// Turn of these arcs together (degrees).
 const RISE: f64 = 15.0;
 
 impl RouteBend {
-    /// How far before its corner a bend starts (µm), by the angle (degrees).
+    /// Distance before its corner at which a bend of an angle (degrees) starts (µm).
     pub(crate) fn extent(self, radius: f64, angle: f64) -> Result<f64> {
         check_positive("bend", "radius", radius)?;
         let (sin, cos) = phidl_core::num::angle::sin_cos(angle);
         let tangent_of_half = sin / (1.0 + cos);
         match self {
             Self::Circular => Ok(radius * tangent_of_half),
-            // The record of the fewest points that there can be is that of the curve.
+            // The info belongs to the curve, so the fewest points suffice.
             Self::Euler => Ok(recorded(&EulerBend::new().num_pts(1).path(radius, angle)?, "Reff") * tangent_of_half),
             Self::Gradual => Ok(self.bend(radius, angle)?.end().norm() / 2.0 / (angle / 2.0).to_radians().cos()),
         }
     }
 }
 
-/// A length that an Euler bend records (µm).
+/// A length in the info of an Euler bend (µm).
 pub(crate) fn recorded(bend: &Path, key: &str) -> f64 {
     let um = bend.info().get(key).and_then(phidl_core::param::Value::as_f64);
     um.expect("invariant: an Euler bend records its radii")
@@ -62,7 +62,7 @@ impl Bend for RouteBend {
 fn gradual(radius: f64, angle: f64) -> Result<Path> {
     let middle = angle.abs() - 2.0 * RISE;
     if middle <= 0.0 {
-        let rule = format!("be more than {}°: so much do its slopes turn", 2.0 * RISE);
+        let rule = format!("be more than {}°, the turn of its two ends", 2.0 * RISE);
         return Err(refused("gradual bend", "angle", format_args!("{angle}°"), rule));
     }
     let step = (RISE / f64::from(STEPS)).copysign(angle);
@@ -78,12 +78,12 @@ fn gradual(radius: f64, angle: f64) -> Result<Path> {
     Ok(path)
 }
 
-/// An arc whose chords turn by half a degree, or as little less as it takes. Chords of one bend must turn alike: a short
-/// one between long ones is cut off more than its length on the inner edge of a wide wire.
+/// An arc whose chords turn by half a degree or slightly less. All chords of one bend must turn equally: on the inner edge of
+/// a wide wire, a short chord between long ones would run backwards.
 fn arc(radius: f64, angle: f64) -> Result<Path> {
     const CHORD: f64 = 0.5;
     let points = (angle.abs() / CHORD).ceil() + 1.0;
-    // Half a point more than it takes: what is cut off of a count is never a whole one.
+    // Half a point more than needed, so that truncation is safe.
     ArcBend::new().num_pts((points + 0.5) * 360.0 / angle.abs()).path(radius, angle)
 }
 
@@ -112,7 +112,7 @@ mod tests {
     }
 
     #[test]
-    fn reaches_are_those_of_the_bends() {
+    fn extents_are_those_of_the_bends() {
         for bend in [RouteBend::Circular, RouteBend::Euler, RouteBend::Gradual] {
             let path = bend.bend(7.0, 90.0).unwrap();
             assert!((bend.extent(7.0, 90.0).unwrap() - path.end().x).abs() < 1e-9);
@@ -121,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn an_euler_bend_reaches_as_far_as_the_specification_says() {
+    fn an_euler_bend_has_the_extent_of_the_reference() {
         // A bend of smallest radius 3 that turns by 90° ends at (5.61, 5.61).
         assert!((RouteBend::Euler.extent(3.0, 90.0).unwrap() - 5.610_287_54).abs() < 1e-8);
     }

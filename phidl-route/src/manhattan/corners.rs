@@ -1,19 +1,19 @@
 //! Waypoints with at most two corners: straight, L, Z and V.
 //!
-//! Waypoints are a sketch: they are what the formulas of docs/reference/routes.md give, also where lengths are such that the
-//! line leaves a port backwards. Whether a line can be a route is decided where one is drawn.
+//! Waypoints are what PHIDL's formulas give, even where the line leaves a port backwards. Whether a line can be a route is
+//! decided when it is drawn.
 
 use phidl_core::Result;
 use phidl_core::geom::Point;
 use phidl_core::port::Port;
 use phidl_path::Path;
 
-use crate::port_pair::{PortPair, check_finite, round3};
+use crate::port_pair::{PortPair, check_finite, micrometers, round3};
 
 /// Sine of the angle between two ports (absolute) below which a V has no corner.
 const PARALLEL: f64 = 1e-9;
 
-/// The straight line between two ports that look at each other.
+/// The straight line between two ports that face each other.
 ///
 /// ```
 /// # use phidl_route::path_straight;
@@ -22,7 +22,7 @@ const PARALLEL: f64 = 1e-9;
 /// ```
 ///
 /// # Errors
-/// [`Error::Param`](phidl_core::Error::Param) unless the ports are turned by 180° or 0° against each other, the second
+/// [`Error::Custom`](phidl_core::Error::Custom) unless the ports are turned by 180° or 0° against each other, the second
 /// one in front of the first on its axis (to 0.5 nm).
 pub fn path_straight(port1: impl Into<Port>, port2: impl Into<Port>) -> Result<Path> {
     let (port1, port2) = (port1.into(), port2.into());
@@ -32,7 +32,7 @@ pub fn path_straight(port1: impl Into<Port>, port2: impl Into<Port>) -> Result<P
 /// One corner, on the axis of the first port: between ports at a right angle.
 ///
 /// # Errors
-/// [`Error::Param`](phidl_core::Error::Param) unless the ports are turned by 90° or 270° against each other.
+/// [`Error::Custom`](phidl_core::Error::Custom) unless the ports are turned by 90° or 270° against each other.
 #[doc(alias = "path_L")]
 pub fn path_l(port1: impl Into<Port>, port2: impl Into<Port>) -> Result<Path> {
     let (port1, port2) = (port1.into(), port2.into());
@@ -57,8 +57,8 @@ pub fn path_z(
 /// One corner, where the axes of the two ports meet.
 ///
 /// # Errors
-/// [`Error::Param`](phidl_core::Error::Param) if the ports are parallel: their axes do not meet. (The reference fails
-/// without a message, or goes through a point 4·10¹⁷ µm away.)
+/// [`Error::Custom`](phidl_core::Error::Custom) if the ports are parallel: their axes do not meet. (PHIDL fails without a
+/// message, or goes through a point 4·10¹⁷ µm away.)
 #[doc(alias = "path_V")]
 pub fn path_v(port1: impl Into<Port>, port2: impl Into<Port>) -> Result<Path> {
     let (port1, port2) = (port1.into(), port2.into());
@@ -66,19 +66,21 @@ pub fn path_v(port1: impl Into<Port>, port2: impl Into<Port>) -> Result<Path> {
 }
 
 pub(crate) fn straight(pair: &PortPair<'_>) -> Result<Vec<Point>> {
-    pair.check_turn(&[0.0, 180.0], "be between ports turned by 180°")?;
-    let aside = pair.lateral_distance();
-    if round3(aside) != 0.0 {
-        return Err(pair.refused(format_args!("{aside} µm to the side"), "be straight ahead"));
+    pair.check_turn(&[0.0, 180.0], "turned by 180°")?;
+    let lateral = pair.lateral_distance();
+    if round3(lateral) != 0.0 {
+        return Err(
+            pair.error(format_args!("port2 must lie straight ahead, but is {} to the side", micrometers(lateral)))
+        );
     }
     if round3(pair.forward_distance()) <= 0.0 {
-        return Err(pair.missing("a leg ahead", pair.forward_distance(), 1e-3));
+        return Err(pair.missing("the distance of port2 ahead of port1", pair.forward_distance(), 1e-3));
     }
     Ok(vec![pair.port1.midpoint(), pair.port2.midpoint()])
 }
 
 pub(crate) fn l(pair: &PortPair<'_>) -> Result<Vec<Point>> {
-    pair.check_turn(&[90.0, 270.0], "be between ports turned by 90° or 270°")?;
+    pair.check_turn(&[90.0, 270.0], "turned by 90° or 270°")?;
     let start = pair.port1.midpoint();
     Ok(vec![start, start + pair.forward1 * pair.forward_distance(), pair.port2.midpoint()])
 }
@@ -93,7 +95,7 @@ pub(crate) fn z(pair: &PortPair<'_>, length1: f64, length2: f64) -> Result<Vec<P
 pub(crate) fn v(pair: &PortPair<'_>) -> Result<Vec<Point>> {
     let sine = pair.forward1.cross(pair.forward2);
     if sine.abs() < PARALLEL {
-        return Err(pair.refused("between parallel ports", "be between ports whose axes meet"));
+        return Err(pair.error("the ports are parallel, so their axes do not meet"));
     }
     let ahead = pair.span().cross(pair.forward2) / sine;
     let start = pair.port1.midpoint();
@@ -109,7 +111,7 @@ mod tests {
     }
 
     #[test]
-    fn straight_lines_have_the_tolerances_of_the_specification() {
+    fn straight_lines_have_the_tolerances_of_the_reference() {
         let to = |x: f64, y: f64, orientation: f64| path_straight(((0, 0), 1, 0), ((x, y), 1, orientation));
         assert_eq!(points(to(10.0, 0.0, 180.0)), [(0., 0.), (10., 0.)]);
         assert!(to(10.0, 0.0, 0.0).is_ok() && to(10.0, 0.0004, 180.0).is_ok() && to(10.0, 0.0, 180.0004).is_ok());
@@ -118,7 +120,7 @@ mod tests {
     }
 
     #[test]
-    fn corners_are_those_of_the_specification() {
+    fn corners_are_those_of_the_reference() {
         let origin = || Port::new((0, 0), 1, 0);
         assert_eq!(points(path_l(origin(), ((10, 5), 1, 270))), [(0., 0.), (10., 0.), (10., 5.)]);
         assert_eq!(points(path_l(origin(), ((-10, -5), 1, 270))), [(0., 0.), (-10., 0.), (-10., -5.)]);

@@ -24,6 +24,8 @@ const THINNEST: f64 = 0.5e-3;
 /// In how many quadrilaterals a bend is covered. At 90° these stand out from it by 0.05 % of its outer radius, which is
 /// how early a touch is seen.
 const SLICES: usize = 24;
+/// Maximum number of overlaps that are counted: it bounds the time for a wire that is wider than its bumps are apart.
+const MOST_OVERLAPS: usize = 1000;
 /// Places along the way by which two footprints must differ to be compared: legs have even numbers, corners odd ones.
 const APART: usize = 6;
 
@@ -275,12 +277,12 @@ fn shared_across([from, to]: [Point; 2], a: &Quad, b: &Quad) -> f64 {
     to_a.min(to_b) - from_a.max(from_b)
 }
 
-/// How many pairs of footprints of a wire lie on one another.
+/// The number of pairs of footprints of a wire that overlap, at most [`MOST_OVERLAPS`].
 pub(crate) fn self_overlaps(footprints: &[Footprint]) -> usize {
     if footprints.len() <= APART {
         return 0;
     }
-    pairs(footprints).filter(|[a, b]| a.lies_on(b)).count()
+    pairs(footprints).filter(|[a, b]| a.lies_on(b)).take(MOST_OVERLAPS).count()
 }
 
 /// Pairs of footprints whose boxes share a stretch of the longer side of the whole: few, where many footprints follow each other.

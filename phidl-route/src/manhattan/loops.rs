@@ -1,4 +1,4 @@
-//! Waypoints that go round: U, J and C.
+//! Waypoints with three or more legs at right angles: U, J and C.
 
 use phidl_core::Result;
 use phidl_core::geom::Point;
@@ -17,7 +17,7 @@ use crate::port_pair::{PortPair, check_finite};
 /// ```
 ///
 /// # Errors
-/// [`Error::Param`](phidl_core::Error::Param) unless the ports are turned by 0° or 180° against each other and the
+/// [`Error::Custom`](phidl_core::Error::Custom) unless the ports are turned by 0° or 180° against each other and the
 /// length is finite.
 #[doc(alias = "path_U")]
 pub fn path_u(port1: impl Into<Port>, port2: impl Into<Port>, length1: impl Into<f64>) -> Result<Path> {
@@ -28,7 +28,7 @@ pub fn path_u(port1: impl Into<Port>, port2: impl Into<Port>, length1: impl Into
 /// Forwards by `length1`, across, and into the second port over its last `length2` (µm): between ports at a right angle.
 ///
 /// # Errors
-/// [`Error::Param`](phidl_core::Error::Param) unless the ports are turned by 90° or 270° against each other and the
+/// [`Error::Custom`](phidl_core::Error::Custom) unless the ports are turned by 90° or 270° against each other and the
 /// lengths are finite.
 #[doc(alias = "path_J")]
 pub fn path_j(
@@ -45,7 +45,7 @@ pub fn path_j(
 /// last `length2` (µm): between parallel ports.
 ///
 /// # Errors
-/// [`Error::Param`](phidl_core::Error::Param) unless the ports are turned by 0° or 180° against each other and the
+/// [`Error::Custom`](phidl_core::Error::Custom) unless the ports are turned by 0° or 180° against each other and the
 /// lengths are finite.
 #[doc(alias = "path_C")]
 pub fn path_c(
@@ -69,7 +69,7 @@ pub(crate) fn u(pair: &PortPair<'_>, length1: f64) -> Result<Vec<Point>> {
 }
 
 pub(crate) fn j(pair: &PortPair<'_>, length1: f64, length2: f64) -> Result<Vec<Point>> {
-    pair.check_turn(&[90.0, 270.0], "be between ports turned by 90° or 270°")?;
+    pair.check_turn(&[90.0, 270.0], "turned by 90° or 270°")?;
     check_finite("path_J", "length1", length1)?;
     check_finite("path_J", "length2", length2)?;
     let (start, end) = (pair.port1.midpoint(), pair.port2.midpoint());
@@ -91,7 +91,7 @@ pub(crate) fn c(pair: &PortPair<'_>, length1: f64, left1: f64, length2: f64) -> 
 }
 
 fn check_parallel(pair: &PortPair<'_>) -> Result<()> {
-    pair.check_turn(&[0.0, 180.0], "be between ports turned by 0° or 180°")
+    pair.check_turn(&[0.0, 180.0], "turned by 0° or 180°")
 }
 
 #[cfg(test)]
@@ -108,7 +108,7 @@ mod tests {
     }
 
     #[test]
-    fn loops_are_those_of_the_specification() {
+    fn loops_are_those_of_the_reference() {
         let u = path_u(origin(), ((10, 50), 1, 0), 200);
         assert_eq!(points(u), [(200., 0.), (200., 50.), (10., 50.)]);
         let j = path_j(origin(), ((10, 50), 1, 90), 200, 200);
@@ -128,7 +128,7 @@ mod tests {
         );
         let error = path_j(origin(), ((10, 50), 1, 180), 25, 10).unwrap_err();
         assert!(
-            error.to_string().contains("facing 180° is a turn of 180°, but it must be between ports turned by 90°")
+            error.to_string().contains("the ports are turned by 180° against each other, but must be turned by 90°")
         );
         assert!(path_u(origin(), ((10, 50), 1, 0), f64::INFINITY).is_err());
     }

@@ -1,7 +1,7 @@
-//! The chooser: waypoints with right angles between any two ports that allow them.
+//! [`path_manhattan`]: waypoints with right angles between two ports.
 //!
-//! The rules are the reference's, which always find legs that are long enough. Where the line that they choose crosses
-//! itself, the shortest one that does not is taken instead, if there is any (see [`detour`](super::detour)).
+//! The rules are PHIDL's, whose legs are always long enough. Where the line crosses itself, the shortest line that does not
+//! is taken instead, if there is one (see [`detour`](super::detour)).
 
 use phidl_core::Result;
 use phidl_core::geom::Point;
@@ -12,15 +12,16 @@ use super::footprint::Wire;
 use super::{corners, crossing, detour, loops};
 use crate::port_pair::{PortPair, check_positive, round3};
 
-/// The margin that a bend gets beyond its radius (µm), the same as in PHIDL.
+/// Margin beyond the radius of a bend (µm), as in PHIDL.
 pub(crate) const MARGIN: f64 = 0.1;
 
-/// Waypoints at right angles between any two ports turned by a multiple of 90° against each other, with room for a bend
-/// of a radius (µm) at every corner: straight, L, U, J or C, whichever the places of the ports call for.
+/// Waypoints at right angles between two ports that are turned by a multiple of 90° against each other, with room for a bend
+/// of a radius (µm) at every corner: straight, L, U, J or C, depending on the positions of the ports.
 ///
-/// Legs between corners are at least `2 · (radius + 0.1)` long, those at the ports `radius + 0.1`. Where it
-/// would cross itself, the shortest line of up to six corners that does not is taken; there is none where, say, the last
-/// leg must cross the first. Nothing is known of widths here; [`route_manhattan`](fn@crate::route_manhattan) minds its own.
+/// Legs between corners are at least `2 · (radius + 0.1)` long, those at the ports `radius + 0.1`. Where the line would
+/// cross itself, the shortest line of up to six corners that does not is taken; there is none where, for instance, the last
+/// leg must cross the first. Widths are ignored here; [`route_manhattan`](fn@crate::route_manhattan) takes its own into
+/// account.
 ///
 /// ```
 /// # use phidl_route::path_manhattan;
@@ -30,8 +31,8 @@ pub(crate) const MARGIN: f64 = 0.1;
 /// ```
 ///
 /// # Errors
-/// [`Error::Param`](phidl_core::Error::Param) if the ports are at another angle (to 0.0005°), or the radius is not
-/// greater than 0.
+/// [`Error::Custom`](phidl_core::Error::Custom) if the ports are at another angle (to 0.0005°),
+/// [`Error::Param`](phidl_core::Error::Param) if the radius is not greater than 0.
 pub fn path_manhattan(port1: impl Into<Port>, port2: impl Into<Port>, radius: impl Into<f64>) -> Result<Path> {
     let (port1, port2) = (port1.into(), port2.into());
     manhattan(&PortPair::new("path_manhattan", &port1, &port2)?, radius.into()).and_then(Path::from_points)
@@ -49,10 +50,10 @@ pub(crate) fn manhattan(pair: &PortPair<'_>, radius: f64) -> Result<Vec<Point>> 
 }
 
 pub(crate) fn check_right_angles(pair: &PortPair<'_>) -> Result<()> {
-    pair.check_turn(&[0.0, 90.0, 180.0, 270.0], "be between ports turned by a multiple of 90°")
+    pair.check_turn(&[0.0, 90.0, 180.0, 270.0], "turned by a multiple of 90°")
 }
 
-/// The ordinary choice, with as much room at every corner as a bend reaches (µm).
+/// The ordinary waypoints, with a length on both legs of every corner for its bend (µm).
 pub(crate) fn ordinary(pair: &PortPair<'_>, extent: f64) -> Result<Vec<Point>> {
     match pair.turn() {
         90.0 | 270.0 => orthogonal(pair, extent),
@@ -72,7 +73,7 @@ fn orthogonal(pair: &PortPair<'_>, extent: f64) -> Result<Vec<Point>> {
     loops::j(pair, length1, length2)
 }
 
-/// Between ports that look in the same or in opposite directions.
+/// Between ports with the same or opposite orientations.
 fn parallel(pair: &PortPair<'_>, extent: f64) -> Result<Vec<Point>> {
     let (x, y) = (round3(pair.forward_distance()), round3(pair.lateral_distance()));
     let facing = pair.turn() == 180.0;
@@ -83,10 +84,10 @@ fn parallel(pair: &PortPair<'_>, extent: f64) -> Result<Vec<Point>> {
         let length1 = if !facing && x > 0.0 { extent + x } else { extent };
         return loops::u(pair, length1);
     }
-    let aside = if y.abs() < 4.0 * extent { y.abs() + 2.0 * extent } else { 2.0 * extent };
+    let left1 = if y.abs() < 4.0 * extent { y.abs() + 2.0 * extent } else { 2.0 * extent };
     let beyond = if facing { x - extent } else { x + extent };
     let length1 = if (beyond - extent).abs() < 2.0 * extent { beyond + 2.0 * extent } else { extent };
-    loops::c(pair, length1, if y < 0.0 { -aside } else { aside }, extent)
+    loops::c(pair, length1, if y < 0.0 { -left1 } else { left1 }, extent)
 }
 
 #[cfg(test)]
@@ -100,7 +101,7 @@ mod tests {
     }
 
     #[test]
-    fn ways_are_those_of_the_specification() {
+    fn waypoints_are_those_of_the_reference() {
         assert_eq!(points(30., 0., 180.), [(30., 0.)]);
         assert_eq!(points(30., 20., 270.), [(30., 0.), (30., 20.)]);
         assert_eq!(points(30., -20., 90.), [(30., 0.), (30., -20.)]);
@@ -126,7 +127,7 @@ mod tests {
     }
 
     #[test]
-    fn the_sweep_of_the_tutorial_is_that_of_the_specification() {
+    fn the_sweep_of_the_tutorial_is_that_of_the_reference() {
         let j = |x: f64, y: f64, a: f64, b: f64| vec![(a, 0.), (a, b), (x, b), (x, y)];
         for (x, a) in [(-20., 5.1), (-10., 5.1), (0., 10.2)] {
             assert_eq!(points(x, -20., 90.), j(x, -20., a, -14.9));
@@ -141,13 +142,13 @@ mod tests {
     }
 
     #[test]
-    fn a_full_turn_but_for_noise_enters_the_port_from_the_front() {
+    fn a_full_turn_up_to_rounding_enters_the_port_from_the_front() {
         assert_eq!(points(20., 30., 359.999_999_9), points(20., 30., 0.));
     }
 
     #[test]
-    fn a_line_that_need_not_cross_itself_does_not() {
-        // The reference crosses itself in both.
+    fn a_line_crosses_itself_only_where_it_must() {
+        // PHIDL's lines cross themselves in both.
         assert_eq!(points(5.1, -5.1, 90.), [(5.1, 0.), (5.1, -5.1)]);
         let path = path_manhattan(((0, 0), 1, 0), ((9, 4), 1, 270), 5).unwrap();
         assert_eq!(crossings(path.points()), 0);
@@ -157,7 +158,7 @@ mod tests {
     }
 
     #[test]
-    fn other_angles_are_refused_and_noise_is_not() {
+    fn other_angles_are_refused_and_rounding_is_not() {
         let to = |orientation: f64| path_manhattan(((0, 0), 1, 0), ((10, 10), 1, orientation), 5);
         assert!(to(45.0).is_err() && to(89.999).is_err() && to(89.9996).is_ok());
         assert!(path_manhattan(((0, 0), 1, 0), ((10, 10), 1, 0), 0).is_err());

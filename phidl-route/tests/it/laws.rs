@@ -1,4 +1,4 @@
-//! What holds for every route, whatever the places of its ports.
+//! Laws of all routes, for random positions of the ports.
 
 use phidl_core::num::angle;
 use phidl_core::param::Param as _;
@@ -51,6 +51,12 @@ fn tightest(path: &Path) -> f64 {
     points.windows(3).map(radius).fold(f64::INFINITY, f64::min)
 }
 
+/// A Manhattan route with everything allowed.
+fn manhattan(ports: &[Port; 2], bend: RouteBend, radius: f64) -> RouteManhattanParams {
+    let route = RouteManhattanParams::new(&ports[0], &ports[1]).bend(bend).radius(radius);
+    route.allow_detour(true).allow_crossings(true)
+}
+
 /// The ends of a route lie on its ports: its own ports face them, and its outline has their corners.
 fn meets(route: &Device, ports: &[Port; 2], widths: [f64; 2]) -> Result<(), TestCaseError> {
     for ((name, port), width) in ["1", "2"].into_iter().zip(ports).zip(widths) {
@@ -97,10 +103,10 @@ proptest! {
     fn manhattan_routes_meet_and_face_their_ports_and_are_never_tighter_than_their_radius(
         ports in ports(), bend in bend(), radius in 2.0..30.0,
     ) {
-        let path = manhattan_centerline(&ports[0], &ports[1], bend, radius).unwrap();
+        let route = manhattan(&ports, bend, radius).width(ports[0].width());
+        let path = route.centerline().unwrap();
         faces(&path, &ports)?;
         prop_assert!(tightest(&path) >= radius * (1.0 - 1e-4), "{} < {radius}", tightest(&path));
-        let route = RouteManhattanParams::new(&ports[0], &ports[1]).bend(bend).radius(radius);
         let Ok(route) = route.build() else {
             // Only a wire too wide for its bends is refused.
             prop_assert!(ports[0].width() > 2.0 * radius);
@@ -113,46 +119,50 @@ proptest! {
     }
 
     #[test]
-    fn manhattan_routes_do_not_run_over_themselves_unless_they_say_so(
+    fn manhattan_routes_run_over_themselves_only_if_their_info_says_so(
         ports in ports(), bend in bend(), radius in 2.0..30.0, slim in 0.01..0.99,
     ) {
         let ports = ports.map(|port| port.with_width(2.0 * radius * slim));
-        let route = RouteManhattanParams::new(&ports[0], &ports[1]).bend(bend).radius(radius).build().unwrap();
+        let route = manhattan(&ports, bend, radius).build().unwrap();
         runs_over_itself_as_it_says(&route, ports[0].width())?;
         let size = manhattan_centerline(((0, 0), 1, 0), ((9e3, 9e3), 1, 270), bend, radius).unwrap().pieces()[0].length();
         let bend_size = 9e3 - size;
         if ports[0].midpoint().distance(ports[1].midpoint()) > 5.0 * bend_size {
-            prop_assert_eq!(overlaps(&route), [0, 0], "there is room for a way");
+            prop_assert_eq!(overlaps(&route), [0, 0], "there is room for a route");
+        }
+        // Without permission, a route is direct and clear, or an error.
+        if let Ok(direct) = RouteManhattanParams::new(&ports[0], &ports[1]).bend(bend).radius(radius).build() {
+            prop_assert!(overlaps(&direct) == [0, 0] && !direct.info().contains_key("detour"));
         }
     }
 
     #[test]
-    fn ways_turn_at_right_angles_and_have_room_for_their_bends(ports in ports(), radius in 2.0..30.0) {
-        let way = path_manhattan(&ports[0], &ports[1], radius).unwrap();
-        let legs: Vec<Point> = way.points().windows(2).map(|leg| leg[1] - leg[0]).collect();
+    fn waypoints_turn_at_right_angles_and_have_room_for_their_bends(ports in ports(), radius in 2.0..30.0) {
+        let waypoints = path_manhattan(&ports[0], &ports[1], radius).unwrap();
+        let legs: Vec<Point> = waypoints.points().windows(2).map(|leg| leg[1] - leg[0]).collect();
         for pair in legs.windows(2) {
             prop_assert!(pair[0].dot(pair[1]).abs() < NOISE * pair[0].norm() * pair[1].norm());
         }
         for (i, leg) in legs.iter().enumerate() {
             let corners = usize::from(i > 0) + usize::from(i + 1 < legs.len());
-            prop_assert!(leg.norm() >= radius * corners as f64, "leg {i} of {:?}", way.points());
+            prop_assert!(leg.norm() >= radius * corners as f64, "leg {i} of {:?}", waypoints.points());
         }
     }
 
     #[test]
-    fn smooth_and_sharp_routes_meet_their_ports_wherever_they_are(ports in ports(), radius in 5.0..30.0) {
+    fn smooth_and_sharp_routes_meet_their_ports_at_any_position(ports in ports(), radius in 5.0..30.0) {
         let widths = [ports[0].width(), ports[1].width()];
         for options in [SmoothOptions::euler(), SmoothOptions::arc()] {
-            let route = RouteSmoothParams::new(&ports[0], &ports[1]).radius(radius).smooth_options(options);
+            let route = RouteSmoothParams::new(&ports[0], &ports[1]).radius(radius).smooth_options(options).allow_crossings(true);
             meets(&route.build().unwrap(), &ports, widths)?;
         }
         let narrower = [widths[0] / 2.0, widths[1]];
-        let sharp = RouteSharpParams::new(&ports[0], &ports[1]).width((narrower[0], narrower[1]));
+        let sharp = RouteSharpParams::new(&ports[0], &ports[1]).width((narrower[0], narrower[1])).allow_crossings(true);
         meets(&sharp.build().unwrap(), &ports, narrower)?;
     }
 
     #[test]
-    fn a_route_of_any_way_faces_its_ports_or_is_an_error(
+    fn a_route_of_any_path_type_faces_its_ports_or_is_an_error(
         ports in [(testkit::strategies::point(), testkit::strategies::angle()), (testkit::strategies::point(), testkit::strategies::angle())],
         length in prop_oneof![Just(None), (-50.0..300.0).prop_map(Some)],
     ) {
@@ -172,24 +182,25 @@ proptest! {
     }
 
     #[test]
-    fn serpentines_have_the_length_that_was_asked_for(
+    fn serpentines_have_the_given_length(
         ports in ports(), bend in bend(), radius in 2.0..20.0, more in 0.0..3000.0_f64,
     ) {
-        let plain = manhattan_centerline(&ports[0], &ports[1], bend, radius).unwrap().length();
-        let length = plain + more;
-        let path = match serpentine_centerline(&ports[0], &ports[1], length, bend, radius) {
+        let ports = ports.map(|port| port.with_width(1));
+        let length = manhattan(&ports, bend, radius).centerline().unwrap().length() + more;
+        let route = RouteSerpentineParams::new(&ports[0], &ports[1], length).bend(bend).radius(radius);
+        let route = route.allow_detour(true).allow_crossings(true);
+        let path = match route.centerline() {
             Ok(path) => path,
             Err(error) => {
                 let text = error.to_string();
-                let told = text.contains("are missing") || text.contains("leave one side of a straight piece");
-                prop_assert!(told && text.contains("port1 at") && text.contains("port2 at"), "{text}");
+                let explained = text.contains("are missing") || text.contains("would run over the route on both sides");
+                prop_assert!(explained && text.contains("port1 at") && text.contains("port2 at"), "{text}");
                 return Ok(());
             }
         };
         faces(&path, &ports)?;
         prop_assert!((path.length() - length).abs() <= 1e-4, "{} instead of {length}", path.length());
         prop_assert!(tightest(&path) >= radius * (1.0 - 1e-4));
-        let route = RouteSerpentineParams::new(&ports[0], &ports[1], length).bend(bend).radius(radius);
         if let Ok(route) = route.build() {
             meets(&route, &ports, [ports[0].width(); 2])?;
             runs_over_itself_as_it_says(&route, ports[0].width())?;
@@ -210,8 +221,8 @@ fn a_straight_span_with_room_takes_every_length() {
 }
 
 #[test]
-fn routes_do_not_depend_on_the_place_and_direction_of_their_pair() {
-    // Turned by a common angle, the ways must be the same ways.
+fn routes_do_not_depend_on_the_position_and_direction_of_their_pair() {
+    // Turned by a common angle, the waypoints must be the same.
     for quarters in 0..4 {
         for (x, y) in [(30, 20), (-7, 12), (9, 4), (3, -30), (-50, 0)] {
             let upright = path_manhattan(((0, 0), 1, 0), ((x, y), 1, 90 * quarters), 5).unwrap();

@@ -1,7 +1,8 @@
-//! Integration tests of the routes.
+//! Tests of the crate from outside: reference results, laws, messages, examples.
 
 mod examples;
 mod golden;
 mod hashes;
 mod laws;
+mod messages;
 mod registry;

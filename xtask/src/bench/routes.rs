@@ -43,6 +43,11 @@ fn ways(pairs: &[[Port; 2]]) -> phidl_core::Result<f64> {
     pairs.iter().map(|[a, z]| Ok(path_manhattan(a, z, 10)?.length())).sum()
 }
 
+/// A route of any kind: the pairs are in all positions.
+fn route(a: &Port, z: &Port) -> RouteManhattanParams {
+    RouteManhattanParams::new(a, z).radius(10).width(a.width()).allow_detour(true).allow_crossings(true)
+}
+
 fn devices(pairs: &[[Port; 2]]) -> phidl_core::Result<Vec<Device>> {
-    cache::bypass(|| pairs.iter().map(|[a, z]| RouteManhattanParams::new(a, z).radius(10).build()).collect())
+    cache::bypass(|| pairs.iter().map(|[a, z]| route(a, z).build()).collect())
 }

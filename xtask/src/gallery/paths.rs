@@ -6,8 +6,8 @@ use phidl_core::prelude::*;
 use phidl_io::svg::{self, FigureOptions};
 use phidl_path::{ArcBend, CrossSection, EulerBend, Path, Section, Spiral, TransitionShape, transition};
 use phidl_route::{
-    PathType, RouteBasicParams, RouteBend, RouteProfile, RouteSmoothParams, route_manhattan_auto, route_quad,
-    route_serpentine, route_sharp,
+    PathType, RouteBasicParams, RouteBend, RouteProfile, RouteSerpentineParams, RouteSmoothParams,
+    route_manhattan_auto, route_quad, route_sharp,
 };
 
 use super::{Drawn, figure_options};
@@ -79,6 +79,7 @@ fn routes() -> Result<Device> {
     let (a, b) = ends();
     let bus: Vec<Port> =
         (0..3).flat_map(|i| [Port::new((0, 7 * i), 2, 0), Port::new((50 - 7 * i, 40), 2, 270)]).collect();
+    let serpentine = RouteSerpentineParams::new(((0, 0), 2, 0), ((120, 30), 2, 180), 400).bend(RouteBend::Euler);
     rows(
         GAP,
         [
@@ -93,7 +94,7 @@ fn routes() -> Result<Device> {
             ],
             vec![
                 ("manhattan_auto", route_manhattan_auto(bus, RouteBend::Circular, 8, 0)?),
-                ("serpentine", route_serpentine(((0, 0), 2, 0), ((120, 30), 2, 180), 400, RouteBend::Euler, 8, 0)?),
+                ("serpentine", serpentine.radius(8).allow_detour(true).build()?),
             ],
         ],
     )
