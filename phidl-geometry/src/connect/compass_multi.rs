@@ -49,7 +49,7 @@ pub fn compass_multi(
 ) -> Result<Device> {
     for side in ports.keys() {
         let known = SIDES.iter().any(|(name, _)| name == side);
-        check.that("a side of ports", format_args!("{side:?}"), known, "be N, S, E or W")?;
+        check.that("ports", format_args!("a map with the side {side:?}"), known, "have no sides but N, S, E, W")?;
     }
     let mut d = Device::builder("compass_multi");
     d.add(rectangle(size, layer)?.place().moved_by((-size.width / 2.0, -size.height / 2.0)));
@@ -93,7 +93,10 @@ mod tests {
     #[test]
     fn sides_that_a_rectangle_does_not_have_and_sides_without_ports_are_refused() {
         let error = compass_multi((4, 2), [("n", 1)], 0).unwrap_err().to_string();
-        assert_eq!(error, "compass_multi: a side of ports is \"n\", but it must be N, S, E or W");
+        assert_eq!(
+            error,
+            "compass_multi: ports is a map with the side \"n\", but it must have no sides but N, S, E, W"
+        );
         let error = compass_multi((4, 2), [("N", 0)], 0).unwrap_err().to_string();
         assert_eq!(error, "compass_multi: ports[\"N\"] is 0, but it must be at least 1");
     }

@@ -257,7 +257,7 @@ mod tests {
     #[test]
     fn impedances_without_a_strip_are_refused() {
         let error = HeckenTaperParams::default().z1(1e12).z2(50).build().unwrap_err();
-        assert!(error.report().contains("microstrip: impedance is 1000000000000 Ω"), "{}", error.report());
+        assert!(error.report().contains("microstrip: the impedance is 1000000000000 Ω"), "{}", error.report());
     }
 
     proptest! {

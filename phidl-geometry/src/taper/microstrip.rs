@@ -173,7 +173,7 @@ mod tests {
     fn impedances_out_of_reach_are_refused_with_what_can_be_reached() {
         let line = Microstrip::new(0.25, 2.0, 250e-12).unwrap();
         let error = line.width_for(1e9).unwrap_err().to_string();
-        assert!(error.starts_with("microstrip: impedance is 1000000000 Ω, but it must be from "), "{error}");
+        assert!(error.starts_with("microstrip: the impedance is 1000000000 Ω, but it must be from "), "{error}");
         assert!(line.width_for(0.0).is_err() && line.width_for(f64::NAN).is_err());
     }
 

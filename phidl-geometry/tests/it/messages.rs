@@ -98,13 +98,13 @@ fn refusals_of_single_shapes() {
         L: the greater of size.width and size.height is 1 µm, but it must be at least half the width, 2 µm
         L: size.width is -2 µm, but it must be greater than minus half the width, -2 µm
         C: size.height is 1 µm, but it must be at least the width, 4 µm
-        compass_multi: a side of ports is "n", but it must be N, S, E or W
+        compass_multi: ports is a map with the side "n", but it must have no sides but N, S, E, W
         flagpole: stub_size.width is 2 µm, but it must be at most size.width, 1 µm
         tee: stub_size.width is 2 µm, but it must be at most size.width, 1 µm
         polygon_ports: number of ypts is 2, but it must be 3, the number of xpts
         polygon_ports: area of the outline is 0 µm², but it must not be 0 µm²
         hecken_taper: Z1 is missing, but it must be given, or width1 instead
-        in hecken_taper: microstrip: impedance is 1000000000000 Ω, but it must be from 0.007519374279779468 Ω (250000 µm wide) to 13606928.754827188 Ω (0.00000025 µm wide)
+        in hecken_taper: microstrip: the impedance is 1000000000000 Ω, but it must be from 0.007519374279779468 Ω (250000 µm wide) to 13606928.754827188 Ω (0.00000025 µm wide)
         meander_taper: number of w_taper is 1, but it must be 2, the number of x_taper
         meander_taper: number of x_taper is 1, but it must be at least 2
         meander_taper: x_taper[2] is 20 µm, but it must be greater than the position before it, 20 µm
@@ -143,7 +143,7 @@ fn refusals_of_single_shapes() {
         in basic_die: text: size is 0 µm, but it must not be 0
         text: the character 'ö' (U+00F6) is not in DEPLOF, which has space, "!" to "~", and "µ"
         text: size is 0 µm, but it must not be 0
-        text: tolerance is 0.000000001 µm, but it must be at least 10⁻⁸ of the size, 0.0000001 µm
+        text: tolerance is 1e-9 µm, but it must be at least 10⁻⁸ of the size, 1e-7 µm
     "#]].assert_eq(&lines);
 }
 
@@ -202,9 +202,9 @@ fn refusals_of_shapes_that_take_devices() {
         fill_rectangle: fill_densities[0] is 1, but it must be less than 1, since the layer is inverted
         fill_rectangle: fill_size is 0.000001 × 0.000001 µm, but it must give at most 16777216 cells in the box, (-10, -10) to (10, 10)
         fill_rectangle: cell is 20 × 20 µm large, but it must draw something and fit into fill_size, 5 × 5 µm
-        union: join_first is false, but it must be true, since a union has no other order of steps
-        kl_offset: merge_after is false, but it must be true, since results are always merged
-        in kl_invert: boolean: tile_size is 0, but it must be greater than zero and finite
+        union: join_first is false, but it must be true, because a union joins all shapes at once
+        kl_offset: merge_after is false, but it must be true, because results are always merged
+        kl_invert: tile_size is 0, but it must be greater than zero and finite
         boolean: operation is "minus", but it must be one of or, A+B, and, A&B, not, A-B, B-A, xor, A^B
         boolean: num_divisions is [0, 1], but it must be at least 1
     "#]].assert_eq(&lines);
@@ -257,7 +257,7 @@ fn refusals_of_microstrips() {
     expect![[r#"
         microstrip: thickness of the dielectric is 0 µm, but it must be greater than 0 µm
         microstrip: eps_r is 0.5, but it must be at least 1
-        microstrip: Lk_per_sq is -0.000000000001 H/sq, but it must be at least 0 H/sq
-        microstrip: impedance is 1000000000 Ω, but it must be from 0.007519374279779468 Ω (250000 µm wide) to 13606928.754827188 Ω (0.00000025 µm wide)
+        microstrip: Lk_per_sq is -1e-12 H/sq, but it must be at least 0 H/sq
+        microstrip: the impedance is 1000000000 Ω, but it must be from 0.007519374279779468 Ω (250000 µm wide) to 13606928.754827188 Ω (0.00000025 µm wide)
     "#]].assert_eq(&lines);
 }
