@@ -110,6 +110,21 @@ fn a_mask_that_cannot_be_drawn_says_what_is_wrong_with_which_file() {
 }
 
 #[test]
+fn the_devices_of_the_example_are_listed_and_drawn_by_name() {
+    let folder = folder(&[]);
+    let listed = run(folder.path(), &["devices", "coupler"]);
+    let text = String::from_utf8_lossy(&listed.stdout).into_owned();
+    assert!(listed.status.success() && text.contains("coupler_chip") && text.contains("gap"), "{text}");
+    let drawn = run(folder.path(), &["device", "coupler", "--params", r#"{"gap": 0.3}"#, "--out", "coupler.gds"]);
+    assert!(drawn.status.success(), "{}", String::from_utf8_lossy(&drawn.stderr));
+    let coupler = gds::read(folder.path().join("coupler.gds"), &ReadOptions::default()).expect("a file").device;
+    assert_eq!(coupler.layers(), [Layer::new(CORE, 0)]);
+    let refused = run(folder.path(), &["device", "coupler", "--params", r#"{"gap": 0}"#, "--out", "no.gds"]);
+    let error = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert_eq!(error, "error: coupler: gap is 0 µm, but it must be greater than 0 µm\n");
+}
+
+#[test]
 fn an_example_needs_no_package_that_the_workspace_has_not() {
     let packages = |folder: &Path| -> BTreeSet<(String, String)> {
         let lock: toml::Table = fs::read_to_string(folder.join("Cargo.lock")).unwrap().parse().unwrap();
