@@ -53,7 +53,10 @@ fn check(case: &Case) -> Result<(), String> {
     }
     if segments.iter().any(is_spiral_without_center) {
         must_be_listed("path.spiral", "fewer than 2 points");
-        return assert_refused(case, Refusal::Geometry, &drawn);
+        return match &drawn {
+            Ok((_, path)) => check_angles(path, &case.expect),
+            Err(_) => assert_refused(case, Refusal::Geometry, &drawn),
+        };
     }
     let (device, path) = drawn.map_err(|e| e.report())?;
     // The single point that the reference has instead of a bend turns what follows: a smoothed path ends elsewhere.

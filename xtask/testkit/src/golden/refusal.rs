@@ -1,6 +1,7 @@
 //! The class of a refusal: whether ours refuses a case for the right reason.
 
 use phidl_core::prelude::*;
+use serde_json::Value as Json;
 
 use super::facts::is_out_of_bounds;
 use super::{Case, Refusal};
@@ -37,9 +38,15 @@ fn class_of(case: &Case, error: &Error) -> Refusal {
     }
 }
 
-/// Whether the refused parameter, which a text names, is a name among choices, or a map by names.
+/// Whether the refused parameter, which a text names, is a name among choices, or a map by names. Ports are maps, too, and
+/// are refused for their position.
 fn is_word(case: &Case, param: &str) -> bool {
-    let is_choice =
-        |name: &str| case.parameter(name).is_some_and(|value| value.is_string() && name != "text" || value.is_object());
+    let is_choice = |name: &str| {
+        case.parameter(name).is_some_and(|value| match value {
+            Json::String(_) => name != "text",
+            Json::Object(map) => !map.contains_key("midpoint"),
+            _ => false,
+        })
+    };
     param.split([' ', '.', '[']).any(is_choice)
 }
