@@ -1,12 +1,10 @@
 //! Reference results of paths. What may differ is in testkit's table of differences; everything else must match.
 
-use std::f64::consts::PI;
-
 use phidl_core::prelude::*;
 use phidl_path::{ArcBend, CrossSection, EulerBend, Extrusion, Overlaps, Path, Section, Spiral};
-use serde_json::{Value as Json, json};
+use serde_json::Value as Json;
 use sha1::{Digest as _, Sha1};
-use testkit::golden::{Case, Kind, Refusal, assert_refused, compare_device, differences, load};
+use testkit::golden::{Case, Difference, Instead, Kind, Refusal, assert_refused, compare_device, differences, load};
 
 use crate::simplified;
 
@@ -21,7 +19,14 @@ fn every_reference_case_is_reproduced() {
     assert!(failures.is_empty(), "{} of {} cases differ:\n{}", failures.len(), cases.len(), failures.join("\n"));
 }
 
-/// An exception may be made only if it stands in the list of deliberate differences.
+/// The deliberate difference of a function with this condition, if it applies to a case.
+fn applies(case: &Case, function: &str, condition: &str) -> Option<&'static Difference> {
+    let listed = differences().into_iter().find(|d| d.is_about(function) && d.condition.contains(condition));
+    let difference = listed.unwrap_or_else(|| panic!("the table of differences has no {function} with {condition}"));
+    (difference.applies)(case).then_some(difference)
+}
+
+/// An exception whose condition needs our own drawing may be made only if it is in the table.
 fn must_be_listed(function: &str, condition: &str) {
     let listed = differences().iter().any(|d| d.is_about(function) && d.condition.contains(condition));
     assert!(listed, "the table of differences has no entry for {function} with {condition}");
@@ -37,12 +42,11 @@ fn list<'a>(case: &'a Case, key: &str) -> &'a [Json] {
 
 fn check(case: &Case) -> Result<(), String> {
     let built = build(case);
-    let segments = list(case, "segments");
-    if segments.iter().any(is_effective_beyond_a_half_turn) {
-        must_be_listed("path.euler", "use_eff beyond 190");
+    if applies(case, "path.euler", "use_eff beyond 190").is_some() {
         return assert_refused(case, Refusal::Geometry, &built);
     }
-    let poorly_sampled = segments.iter().chain(&bends(case)).any(is_poorly_sampled);
+    let poorly_sampled = applies(case, "path.arc", "fewer than 2 points").is_some()
+        || applies(case, "path.euler", "fewer than 3 points").is_some();
     let drawn = built.and_then(|path| Ok((draw(case, &path)?, path)));
     if let (Some(class), false) = (case.refusal(), poorly_sampled) {
         return assert_refused(case, class, &drawn);
@@ -51,8 +55,7 @@ fn check(case: &Case) -> Result<(), String> {
         let refused = drawn.is_err() || poorly_sampled;
         return if refused { Ok(()) } else { Err(format!("drawn, where the reference has {error}")) };
     }
-    if segments.iter().any(is_spiral_without_center) {
-        must_be_listed("path.spiral", "fewer than 2 points");
+    if applies(case, "path.spiral", "fewer than 2 points").is_some() {
         return match &drawn {
             Ok((_, path)) => check_angles(path, &case.expect),
             Err(_) => assert_refused(case, Refusal::Geometry, &drawn),
@@ -64,28 +67,22 @@ fn check(case: &Case) -> Result<(), String> {
         check_angles(&path, &case.expect)?;
     }
     if poorly_sampled {
-        must_be_listed("path.arc", "fewer than 2 points");
-        must_be_listed("path.euler", "fewer than 3 points");
         return Ok(());
     }
-    if let Some(error) = segments.iter().filter_map(cut_off_error).reduce(f64::max) {
-        must_be_listed("path.euler", "more than 180");
-        return check_points(path.points(), &case.expect["points"], error);
+    if let Some(Instead::PointsTo(error)) = applies(case, "path.euler", "more than 180").map(|d| d.compare) {
+        return check_points(path.points(), &case.expect["points"], error(case));
     }
-    if bends(case).iter().any(count_hangs_on_the_last_bit)
+    if applies(case, "path.smooth", "last bit of an angle").is_some()
         && path.points().len() != points(&case.expect["points"]).len()
     {
-        must_be_listed("path.smooth", "last bit of an angle");
         return check_length(&path, &case.expect, 1e-4 * path.length());
     }
     check_path(case, &path)?;
     let Some(device) = device else { return Ok(()) };
     let expected = &case.expect["device"];
-    match (compare_device(&device, expected), part(case, "extrude")["simplify"].as_f64()) {
-        (Err(_), Some(tolerance)) => {
-            must_be_listed("path.extrude", "equally far");
-            check_simplified(case, &path, tolerance)
-        }
+    let ties = applies(case, "path.extrude", "equally far").and(part(case, "extrude")["simplify"].as_f64());
+    match (compare_device(&device, expected), ties) {
+        (Err(_), Some(tolerance)) => check_simplified(case, &path, tolerance),
         (compared, _) => compared,
     }
 }
@@ -226,69 +223,6 @@ fn section(json: &Json) -> Section {
     section
 }
 
-/// Points by `num_pts`, and the angle, of an arc or an Euler bend.
-fn count(segment: &Json) -> Option<(f64, &Json)> {
-    let p = &segment["params"];
-    let bend = matches!(segment["fn"].as_str(), Some("arc" | "euler"));
-    bend.then(|| ((number_or(&p["num_pts"], 720.0) * number_or(&p["angle"], 90.0) / 360.0).abs().floor(), p))
-}
-
-fn is_poorly_sampled(segment: &Json) -> bool {
-    let Some((n, p)) = count(segment) else { return false };
-    let share = number_or(&p["p"], 1.0);
-    if segment["fn"] == "arc" || share == 0.0 {
-        return n < 2.0;
-    }
-    let on_clothoid = (n * 2.0 * share / (1.0 + share)).round();
-    n < 3.0 || on_clothoid < 2.0 || (share < 1.0 && n - on_clothoid < 2.0)
-}
-
-/// The bends at the corners of a smoothed path, as segments.
-fn bends(case: &Case) -> Vec<Json> {
-    let Some(smooth) = case.rest.get("smooth") else { return Vec::new() };
-    let line = points(&smooth["points"]);
-    let directions: Vec<f64> = line.windows(2).map(|leg| (leg[1] - leg[0]).direction()).collect();
-    let bend = |pair: &[f64]| {
-        let mut params = smooth.clone();
-        params["angle"] = phidl_core::num::angle::between(pair[0], pair[1]).into();
-        json!({ "fn": smooth["corner_fun"].as_str().unwrap_or("euler"), "params": params })
-    };
-    directions.windows(2).map(bend).collect()
-}
-
-/// Whether the arcs in the middle of a spiral get fewer than two points (docs/reference/paths.md, spiral).
-fn is_spiral_without_center(segment: &Json) -> bool {
-    let p = &segment["params"];
-    let (gap, inner) = (number_or(&p["gap"], 1.0), number_or(&p["inner_gap"], 2.0));
-    let turns = number_or(&p["num_turns"], 5.0);
-    let (a, b) = ((inner - gap) / 2.0, gap / PI);
-    let arm = |end: f64| ((a + end * b).powi(2) + b * b).powf(1.5) / (3.0 * (a * b + end * b * b));
-    let (whole, part) = (turns.floor(), turns - turns.floor());
-    let other = whole - 1.0 + 2.0 * part;
-    let ends = if part < 0.5 { [other, whole] } else { [whole, other.max(whole)] };
-    let radius = inner * (1.0 + (b / (a + b * PI / 2.0)).powi(2)).sqrt() / 4.0;
-    let center = radius * 2.0 * (inner / (4.0 * radius)).asin();
-    let degrees = 2.0 * (inner / (4.0 * radius)).asin() * (180.0 / PI);
-    let whole_spiral: f64 = ends.iter().map(|half_turns| arm(PI * half_turns + PI / 2.0)).sum::<f64>() + 2.0 * center;
-    let share = (number_or(&p["num_pts"], 10_000.0) / whole_spiral * center).floor();
-    // The way back from the share to a number of points for the full turn, and to the share again, may lose one.
-    segment["fn"] == "spiral" && share.min((360.0 * share / degrees * degrees / 360.0).floor()) < 2.0
-}
-
-/// How far the end of an Euler bend is off in the reference, at most (µm), if it is.
-fn cut_off_error(segment: &Json) -> Option<f64> {
-    let p = &segment["params"];
-    let turn = number_or(&p["p"], 1.0) * number_or(&p["angle"], 90.0).abs();
-    let part_of_radius = if turn <= 360.0 { 1e-6 } else { 0.1 };
-    (segment["fn"] == "euler" && turn > 180.0).then(|| 1e-6 + part_of_radius * number_or(&p["radius"], 3.0))
-}
-
-fn is_effective_beyond_a_half_turn(segment: &Json) -> bool {
-    let p = &segment["params"];
-    let own_radius = number_or(&p["p"], 1.0) == 0.0;
-    segment["fn"] == "euler" && p["use_eff"] == true && !own_radius && number_or(&p["angle"], 90.0).abs() > 190.0
-}
-
 fn check_angles(path: &Path, expect: &Json) -> Result<(), String> {
     for (what, ours) in [("start_angle", path.start_angle()), ("end_angle", path.end_angle())] {
         let theirs = number(&expect[what]);
@@ -310,8 +244,7 @@ fn check_path(case: &Case, path: &Path) -> Result<(), String> {
         return Err(format!("box is {ours}, not {theirs}"));
     }
     let (mut ours, theirs) = (path.hash_geometry(1e-4).unwrap(), expect["hash_geometry"].as_str().unwrap());
-    if ours != theirs && has_arctangents(case) {
-        must_be_listed("path.hash_geometry", "arctangent");
+    if ours != theirs && applies(case, "path.hash_geometry", "arctangent").is_some() {
         ours = defined_hash(path.points(), number(&expect["start_angle"]), number(&expect["end_angle"]));
     }
     if ours == theirs { Ok(()) } else { Err(format!("hash is {ours}, not {theirs}")) }
@@ -323,19 +256,6 @@ fn check_length(path: &Path, expect: &Json, tolerance: f64) -> Result<(), String
         true => Ok(()),
         false => Err(format!("length is {}, not {length}", path.length())),
     }
-}
-
-/// Whether the number of points of a bend is cut off from what is whole but for noise.
-fn count_hangs_on_the_last_bit(bend: &Json) -> bool {
-    let p = &bend["params"];
-    let count = number_or(&p["num_pts"], 720.0) * number(&p["angle"]) / 360.0;
-    (count - count.round()).abs() < 1e-9
-}
-
-fn has_arctangents(case: &Case) -> bool {
-    case.rest.contains_key("smooth")
-        || list(case, "segments").iter().any(|segment| segment["fn"].is_null() || segment["fn"] == "spiral")
-        || list(case, "ops").iter().any(|op| op["op"] == "mirror")
 }
 
 /// The hash as docs/reference/geometry-hash.md defines it, written down once more.

@@ -50,6 +50,8 @@ pub enum Instead {
     OtherLayers,
     /// The polygons on the layer of this parameter, point by point.
     LayerOf(&'static str),
+    /// The points of a path to this distance (µm).
+    PointsTo(fn(&Case) -> f64),
     /// A comparison of its own, in the test of the crate that has the function; it is named.
     Test(&'static str),
 }

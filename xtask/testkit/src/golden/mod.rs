@@ -12,6 +12,7 @@ mod facts;
 #[cfg(test)]
 mod page;
 mod parameters;
+mod path_facts;
 mod refusal;
 mod region;
 
