@@ -27,8 +27,50 @@ pub enum IoError {
         /// What the system said.
         source: Arc<std::io::Error>,
     },
+    /// A path leads to something that is no regular file: a device, a pipe, a socket.
+    #[error("{path}: it is not a regular file")]
+    NotRegular {
+        /// The path.
+        path: Box<str>,
+    },
+    /// A file of a folder of results would be written outside of it.
+    #[error("{path}: it leads out of the folder {folder}")]
+    OutsideFolder {
+        /// The path.
+        path: Box<str>,
+        /// The folder.
+        folder: Box<str>,
+    },
+    /// A device is too large to be walked element by element.
+    #[error("cell {cell:?}: it has {} {what} with all levels below, but at most {most} are described or drawn one by one", number(*.size))]
+    TooLarge {
+        /// The cell.
+        cell: Box<str>,
+        /// What there is too much of.
+        what: &'static str,
+        /// How much there is; the largest 64-bit number stands for more.
+        size: u64,
+        /// How much is allowed.
+        most: u64,
+    },
+    /// The area of a device could not be measured.
+    #[error("cell {cell:?}: its area cannot be measured")]
+    Area {
+        /// The cell.
+        cell: Box<str>,
+        /// What the boolean engine reports.
+        source: Box<phidl_boolean::BooleanError>,
+    },
+    /// Nothing would be in the file. See [`GdsOptions::allow_empty`](crate::gds::GdsOptions::allow_empty).
+    #[error("cell {cell:?}: the mask is empty{}", collapsed_polygons(*.collapsed))]
+    EmptyMask {
+        /// The top cell.
+        cell: Box<str>,
+        /// Polygons that enclose nothing on the grid.
+        collapsed: u64,
+    },
     /// An option of the writer breaks its rule.
-    #[error("option {option} is {value}, but it must {rule}")]
+    #[error("the option {option} is {value}, but it must {rule}")]
     Option {
         /// The option.
         option: &'static str,
@@ -37,8 +79,8 @@ pub enum IoError {
         /// What it must do, as the end of "it must …".
         rule: Box<str>,
     },
-    /// Something in a cell cannot be said in the file format.
-    #[error("cell \"{cell}\", {item}: {what} is {value}, but it must {rule}")]
+    /// An element of a cell has a value that the file cannot state.
+    #[error("cell {cell:?}, {item}: the {what} is {value}, but it must {rule}")]
     Refused {
         /// The cell.
         cell: Box<str>,
@@ -64,7 +106,7 @@ pub enum IoError {
         position: Box<str>,
     },
     /// A coordinate is further out than the file's integers reach.
-    #[error("cell \"{cell}\", {item}: {source}")]
+    #[error("cell {cell:?}, {item}: {source}")]
     OutOfRange {
         /// The cell.
         cell: Box<str>,
@@ -73,6 +115,9 @@ pub enum IoError {
         /// The coordinate and the reach.
         source: GridError,
     },
+    /// A placement brings something further out than the file's integers reach.
+    #[error("{0}")]
+    Extent(Box<phidl_core::scene::ExtentError>),
     /// The file breaks the rules of its format.
     #[error("{file}: malformed at byte {offset}{}: {problem}", in_cell(.cell.as_deref()))]
     Malformed {
@@ -106,7 +151,7 @@ pub enum IoError {
         cells: Vec<String>,
     },
     /// Several cells are placed by no other; one must be named.
-    #[error("{file}: there are several top cells, one must be chosen by name: {}", .cells.join(", "))]
+    #[error("{file}: there are several top cells, one must be chosen by name: {}", quoted(.cells, ", "))]
     SeveralTopCells {
         /// The file.
         file: Box<str>,
@@ -114,7 +159,7 @@ pub enum IoError {
         cells: Vec<String>,
     },
     /// The cell that was asked for is not in the file.
-    #[error("{file}: there is no cell \"{name}\"; {}", known(.cells))]
+    #[error("{file}: there is no cell {name:?}; {}", known(.cells))]
     UnknownCell {
         /// The file.
         file: Box<str>,
@@ -124,7 +169,7 @@ pub enum IoError {
         cells: Vec<String>,
     },
     /// Two cells of a file have one name.
-    #[error("{file}: a second cell \"{name}\" begins at byte {offset}")]
+    #[error("{file}: a second cell {name:?} begins at byte {offset}")]
     DuplicateCell {
         /// The file.
         file: Box<str>,
@@ -133,28 +178,16 @@ pub enum IoError {
         /// Where the second one begins.
         offset: usize,
     },
-    /// A cell places a cell that is not in the file.
-    #[error("{file}: cell \"{cell}\" places \"{missing}\" at byte {offset}, which is not in the file")]
-    MissingCell {
-        /// The file.
-        file: Box<str>,
-        /// The cell with the reference.
-        cell: Box<str>,
-        /// The name that is not there.
-        missing: Box<str>,
-        /// Where the reference stands.
-        offset: usize,
-    },
-    /// Cells place each other in a circle.
-    #[error("{file}: cells place each other in a circle: {}", .chain.join(" → "))]
-    Circle {
+    /// A cell contains itself, by way of other cells.
+    #[error("{file}: cells place each other in a cycle: {}", quoted(.chain, " → "))]
+    CyclicCells {
         /// The file.
         file: Box<str>,
         /// The cells, the first one repeated at the end.
         chain: Vec<String>,
     },
     /// Cells are nested deeper than any layout is.
-    #[error("{file}: cell \"{cell}\" is nested deeper than {most} levels")]
+    #[error("{file}: cell {cell:?} is nested deeper than {most} levels")]
     TooDeep {
         /// The file.
         file: Box<str>,
@@ -191,6 +224,13 @@ pub enum Item {
         /// The cell that it places.
         child: String,
     },
+    /// A path.
+    Path {
+        /// Its index among the paths of the cell, from 0.
+        index: usize,
+        /// Layer and datatype.
+        layer: Layer,
+    },
     /// A label.
     Label {
         /// Its place among the labels of the cell, from 0.
@@ -204,8 +244,9 @@ impl std::fmt::Display for Item {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Polygon { index, layer } => write!(f, "polygon {index} on {layer}"),
-            Self::Reference { index, child } => write!(f, "reference {index} to \"{child}\""),
-            Self::Label { index, text } => write!(f, "label {index} \"{text}\""),
+            Self::Path { index, layer } => write!(f, "path {index} on {layer}"),
+            Self::Reference { index, child } => write!(f, "reference {index} to {child:?}"),
+            Self::Label { index, text } => write!(f, "label {index} {text:?}"),
         }
     }
 }
@@ -217,6 +258,7 @@ impl IoError {
         match self {
             Self::File { source, .. } => format!("{self}: {source}"),
             Self::Device { source, .. } => format!("{self}: {}", source.report()),
+            Self::Area { source, .. } => format!("{self}: {source}"),
             other => other.to_string(),
         }
     }
@@ -230,12 +272,43 @@ impl IoError {
     }
 }
 
+/// A real number as people write it: without an exponent where that is short.
+pub(crate) fn real(v: f64) -> String {
+    let is_short = v == 0.0 || (1e-4..1e9).contains(&v.abs()) || !v.is_finite();
+    if is_short { v.to_string() } else { format!("{v:e}") }
+}
+
+/// A count; the largest number stands for all that are larger.
+fn number(count: u64) -> String {
+    if count == u64::MAX { "more than 10¹⁹".to_owned() } else { count.to_string() }
+}
+
+fn collapsed_polygons(count: u64) -> String {
+    match count {
+        0 => String::new(),
+        1 => ": its only polygon encloses nothing on the grid".to_owned(),
+        _ => format!(": its {count} polygons enclose nothing on the grid"),
+    }
+}
+
 fn in_cell(cell: Option<&str>) -> String {
-    cell.map_or_else(String::new, |cell| format!(" in cell \"{cell}\""))
+    cell.map_or_else(String::new, |cell| format!(" in cell {cell:?}"))
+}
+
+/// The most names that an error lists.
+const MOST_NAMES: usize = 20;
+
+/// Names in quotes, so that control characters of a file do not reach a terminal.
+fn quoted(names: &[String], separator: &str) -> String {
+    let mut list: Vec<String> = names.iter().take(MOST_NAMES).map(|name| format!("{name:?}")).collect();
+    if names.len() > MOST_NAMES {
+        list.push(format!("… ({} in all)", names.len()));
+    }
+    list.join(separator)
 }
 
 fn known(cells: &[String]) -> String {
-    if cells.is_empty() { "the file has no cells".to_owned() } else { format!("its cells are {}", cells.join(", ")) }
+    if cells.is_empty() { "the file has no cells".to_owned() } else { format!("its cells are {}", quoted(cells, ", ")) }
 }
 
 #[cfg(test)]
@@ -243,22 +316,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn errors_can_be_shared_and_say_where_and_why() {
+    fn errors_can_be_shared() {
         fn assert_shared<T: Clone + Send + Sync + std::error::Error>() {}
         assert_shared::<IoError>();
-        let error = IoError::file(Path::new("a.gds"), "open it", std::io::Error::other("no luck"));
-        assert_eq!(error.clone().report(), "a.gds: could not open it: no luck");
-        let item = Item::Label { index: 2, text: "pad".into() };
-        let error = IoError::Refused {
-            cell: "chip".into(),
-            item: Box::new(item),
-            what: "text",
-            value: "600 bytes long".into(),
-            rule: "have at most 512".into(),
-        };
-        assert_eq!(
-            error.to_string(),
-            "cell \"chip\", label 2 \"pad\": text is 600 bytes long, but it must have at most 512"
-        );
     }
 }

@@ -1,15 +1,17 @@
-//! Files in and out of phidl: masks, pictures, and what lies beside them.
+//! Files of phidl: masks, pictures, and the data beside them.
 //!
 //! | Module | What it does |
 //! |---|---|
 //! | [`gds`] | GDSII files, written and read: cells, arrays, labels, properties, units, a fixed date |
+//! | [`model`] | what a layout file holds, shared by all formats: paths, boxes, several top cells, dates |
 //! | [`svg`] | pictures with the hierarchy kept, so that a large chip is a small file |
 //! | [`json`] | a device described for comparing; generators, parameters and ports beside a mask file |
 //! | [`weld`] | joints that do not gap: found across the hierarchy, written with one grid point for each corner |
 //! | `cli` | commands that list and draw the generators of a program (feature `cli`) |
 //! | [`lyp`] | KLayout's layer properties: colors, patterns and groups of layers |
 //! | [`Summary`] | a mask in a few numbers: cells, polygons, areas, labels, box, SHA-256 |
-//! | [`atomic`] | the one way in which files are written: whole, or not at all |
+//! | [`mask`] | a mask build: a device into a folder of files |
+//! | [`atomic`] | how files are written: whole, or not at all |
 //!
 //! Writers never change a device, and two runs write the same bytes: no clock, no order of hash tables. Everything that
 //! can fail returns an [`IoError`], which names the file or cell, the element and the rule. Lengths are micrometers.
@@ -17,12 +19,15 @@
 pub mod atomic;
 #[cfg(feature = "cli")]
 pub mod cli;
-mod distinct;
+mod counts;
 mod error;
 pub mod gds;
+mod input;
 pub mod json;
 pub mod lyp;
 pub mod mask;
+pub mod model;
+mod placements;
 mod summary;
 pub mod svg;
 pub mod weld;

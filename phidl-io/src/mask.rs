@@ -5,6 +5,7 @@
 //! | `NAME.gds` | the mask, hierarchy kept |
 //! | `NAME.svg` | a picture of it |
 //! | `metadata.json` | every cell: generator, parameters, info, ports, instances; and the summary |
+//! | `devices.csv` | where each device is on the mask, with its parameters |
 //!
 //! The same device and options give the same bytes, whenever and on however many threads.
 
@@ -16,6 +17,7 @@ use crate::atomic;
 use crate::error::{IoError, Result};
 use crate::gds::{self, GdsOptions, GdsReport};
 use crate::json;
+use crate::placements;
 use crate::summary::Summary;
 use crate::svg::{self, SvgOptions};
 
@@ -28,7 +30,7 @@ pub struct MaskOptions {
     pub svg: SvgOptions,
 }
 
-/// One thing that building a mask does, in order.
+/// A step of a mask build, in order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Step {
     /// The GDSII file.
@@ -37,6 +39,8 @@ pub enum Step {
     Svg,
     /// The metadata.
     Metadata,
+    /// The table of devices.
+    Devices,
 }
 
 impl std::fmt::Display for Step {
@@ -45,6 +49,7 @@ impl std::fmt::Display for Step {
             Self::Gds => "writing GDSII",
             Self::Svg => "drawing SVG",
             Self::Metadata => "writing metadata",
+            Self::Devices => "listing devices",
         })
     }
 }
@@ -60,9 +65,10 @@ pub struct MaskReport {
     pub summary: Summary,
 }
 
-/// Writes a device into a folder, which is made if it is not there. Each file is whole or not there at all.
+/// Writes a device into a folder, which is made if it does not exist. Each file is whole or does not exist. Symbolic links
+/// in the folder that lead out of it are refused.
 ///
-/// `started` hears of every step when it begins.
+/// `started` is called with every step when it begins.
 ///
 /// # Errors
 /// What the writers say; files that were finished before stay.
@@ -74,18 +80,20 @@ pub fn build(
     mut started: impl FnMut(Step),
 ) -> Result<MaskReport> {
     std::fs::create_dir_all(folder).map_err(|error| IoError::file(folder, "make the folder", error))?;
-    let [gds_file, svg_file] = ["gds", "svg"].map(|ending| folder.join(format!("{name}.{ending}")));
-    let metadata_file = folder.join("metadata.json");
+    let names = [format!("{name}.gds"), format!("{name}.svg"), "metadata.json".to_owned(), "devices.csv".to_owned()];
+    let [gds_name, svg_name, metadata_name, devices_name] = names.each_ref();
 
     started(Step::Gds);
-    let gds = gds::write(device, &gds_file, &options.gds)?;
-    let summary = Summary::of_file(device, &options.gds, &gds_file)?;
+    let gds = gds::write_in(device, folder, gds_name, &options.gds)?;
+    let summary = Summary::of_file(device, &options.gds, folder.join(gds_name))?;
     started(Step::Svg);
-    svg::write(device, &svg_file, &options.svg)?;
+    atomic::write_in(folder, svg_name, svg::to_string(device, &options.svg)?.as_bytes())?;
     started(Step::Metadata);
     let mut metadata = json::metadata(device, &options.gds)?;
     metadata["summary"] = summary.to_json();
-    atomic::write(&metadata_file, json::to_text(&metadata).as_bytes())?;
+    atomic::write_in(folder, metadata_name, json::to_text(&metadata).as_bytes())?;
+    started(Step::Devices);
+    atomic::write_in(folder, devices_name, placements::csv(device, &options.gds)?.as_bytes())?;
 
-    Ok(MaskReport { files: vec![gds_file, svg_file, metadata_file], gds, summary })
+    Ok(MaskReport { files: names.map(|name| folder.join(name)).to_vec(), gds, summary })
 }

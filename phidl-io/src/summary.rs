@@ -1,7 +1,5 @@
 //! [`Summary`]: a mask in a few numbers, to be laid beside what another program counts.
 
-use std::collections::{BTreeMap, HashMap};
-use std::fs;
 use std::path::Path;
 
 use phidl_core::geom::Rect;
@@ -11,9 +9,11 @@ use phidl_core::scene::Device;
 use serde_json::{Map, json};
 use sha2::{Digest, Sha256};
 
-use crate::error::{IoError, Result};
-use crate::gds::{CellTable, GdsOptions};
+use crate::counts::Counts;
+use crate::error::Result;
+use crate::gds::GdsOptions;
 use crate::json::corners;
+use crate::model::CellTable;
 
 /// What is drawn on one layer, over all levels of a mask.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -57,13 +57,14 @@ impl Summary {
     /// # Errors
     /// [`IoError::Option`] as for writing.
     pub fn new(device: &Device, options: &GdsOptions, bytes: &[u8]) -> Result<Self> {
-        let table = CellTable::of(device, options)?;
-        let below = Below::of(device);
+        options.check()?;
+        let table = CellTable::of(device.into(), &options.naming());
+        let counts = Counts::of(device);
         Ok(Self {
             top: table.name_of(device).to_owned(),
             cells: table.iter().len(),
-            instances: below.instances,
-            layers: below.layers.into_values().collect(),
+            instances: counts.instances,
+            layers: counts.layers.into_values().collect(),
             bbox: device.bbox(),
             bytes: bytes.len() as u64,
             sha256: Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect(),
@@ -76,62 +77,7 @@ impl Summary {
     /// [`IoError::File`] if it cannot be read; [`IoError::Option`] as for writing.
     pub fn of_file(device: &Device, options: &GdsOptions, path: impl AsRef<Path>) -> Result<Self> {
         let path = path.as_ref();
-        let bytes = fs::read(path).map_err(|error| IoError::file(path, "read it", error))?;
-        Self::new(device, options, &bytes)
-    }
-}
-
-/// What a cell holds, with all levels below it.
-#[derive(Debug, Clone, Default)]
-struct Below {
-    instances: u64,
-    layers: BTreeMap<Layer, LayerSummary>,
-}
-
-impl Below {
-    fn of(top: &Device) -> Self {
-        let mut sums: HashMap<usize, Self> = HashMap::new();
-        // Cells come before the cells that they place; backwards, every child is known.
-        for cell in top.cells().iter().rev() {
-            let mut sum = Self::own(cell);
-            for reference in cell.references() {
-                let child = &sums[&reference.device().ptr_id()];
-                sum.add(child, reference.count() as u64, reference.transform().magnification);
-            }
-            sums.insert(cell.ptr_id(), sum);
-        }
-        sums.remove(&top.ptr_id()).unwrap_or_default()
-    }
-
-    fn own(cell: &Device) -> Self {
-        let mut sum = Self::default();
-        for polygon in cell.polygons() {
-            let layer = sum.layer(polygon.layer);
-            layer.polygons += 1;
-            layer.vertices += polygon.points.len() as u64;
-            layer.area += polygon.area();
-        }
-        for label in cell.labels() {
-            sum.layer(label.layer).labels += 1;
-        }
-        sum
-    }
-
-    fn layer(&mut self, layer: Layer) -> &mut LayerSummary {
-        let nothing = LayerSummary { layer, polygons: 0, vertices: 0, area: 0.0, labels: 0 };
-        self.layers.entry(layer).or_insert(nothing)
-    }
-
-    fn add(&mut self, child: &Self, count: u64, magnification: f64) {
-        let add = |sum: &mut u64, more: u64| *sum = sum.saturating_add(more.saturating_mul(count));
-        add(&mut self.instances, child.instances.saturating_add(1));
-        for (layer, more) in &child.layers {
-            let sum = self.layer(*layer);
-            add(&mut sum.polygons, more.polygons);
-            add(&mut sum.vertices, more.vertices);
-            add(&mut sum.labels, more.labels);
-            sum.area += more.area * magnification * magnification * count as f64;
-        }
+        Self::new(device, options, &crate::input::read(path)?)
     }
 }
 
@@ -243,8 +189,8 @@ mod tests {
             d.add(cell.array(60_000, 60_000, (0, 0)));
             cell = d.build().unwrap();
         }
-        let below = Below::of(&cell);
-        assert_eq!((below.instances, below.layers[&Layer::new(1, 0)].polygons), (u64::MAX, u64::MAX));
+        let counts = Counts::of(&cell);
+        assert_eq!((counts.instances, counts.layers[&Layer::new(1, 0)].polygons), (u64::MAX, u64::MAX));
     }
 
     #[test]

@@ -6,7 +6,7 @@
 use crate::geom::{Point, Transform};
 use crate::param::{Value, float_key};
 use crate::port::Port;
-use crate::scene::{Anchor, Cell, Device, Label, Properties, Reference, Source};
+use crate::scene::{Anchor, Cell, Device, Label, Properties, Reference, Source, TextStyle};
 
 /// The identity of a cell's content: 32 bytes, the same on every machine and in every run.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -103,6 +103,18 @@ impl Stream {
         self.tag(anchor_tag(label.anchor));
         self.transform(label.transform());
         self.properties(&label.properties);
+        // Only labels that were read have a style; the digests of others do not depend on it.
+        if label.style() != TextStyle::default() {
+            self.tag(2);
+            self.style(&label.style());
+        }
+    }
+
+    fn style(&mut self, style: &TextStyle) {
+        let TextStyle { font, path_type, width, anchor_unstated, magnification_stated } = *style;
+        [font, anchor_unstated.into(), magnification_stated.into()].into_iter().for_each(|tag| self.tag(tag));
+        self.list(path_type.iter(), |stream, number| stream.float(f64::from(*number)));
+        self.list(width.iter(), |stream, width| stream.float(*width));
     }
 
     fn port(&mut self, port: &Port) {

@@ -21,6 +21,22 @@ pub enum Anchor {
     SouthEast,
 }
 
+/// How a layout file has a text drawn, beyond its position, size and anchor. It changes nothing on a mask; a label that was
+/// read keeps it, so that a file is written as it was.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct TextStyle {
+    /// The font, 0 to 3.
+    pub font: u8,
+    /// The path type of the strokes, if the file states one.
+    pub path_type: Option<i16>,
+    /// The width of the strokes (µm; negative: not magnified with the cell), if the file states one.
+    pub width: Option<f64>,
+    /// Whether the file leaves the anchor out, which then is north-west.
+    pub anchor_unstated: bool,
+    /// Whether the file states the magnification though it is 1.
+    pub magnification_stated: bool,
+}
+
 /// A text at a position. Its bounding box is that position. Rotating and mirroring rotate and mirror the text as well, as
 /// the reference to a cell with the label does.
 ///
@@ -40,6 +56,7 @@ pub struct Label {
     /// Numbered texts that a file keeps with it.
     pub properties: Properties,
     transform: Transform,
+    style: Option<Box<TextStyle>>,
     deferred: Option<Box<DeferredError>>,
 }
 
@@ -52,6 +69,7 @@ impl Label {
             anchor: Anchor::Center,
             properties: Properties::new(),
             transform: Transform::translation(position),
+            style: None,
             deferred: None,
         }
     }
@@ -66,6 +84,18 @@ impl Label {
     #[must_use]
     pub fn with_transform(self, transform: Transform) -> Self {
         Self { transform, ..self }
+    }
+
+    /// The same in the style of a file.
+    #[must_use]
+    pub fn with_style(self, style: TextStyle) -> Self {
+        Self { style: (style != TextStyle::default()).then(|| Box::new(style)), ..self }
+    }
+
+    /// The style that a file stated.
+    #[must_use]
+    pub fn style(&self) -> TextStyle {
+        self.style.as_deref().copied().unwrap_or_default()
     }
 
     /// The position.

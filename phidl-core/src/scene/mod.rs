@@ -44,7 +44,7 @@ pub use extent::ExtentError;
 pub use flat_counts::FLAT_LIMIT;
 pub use group::{Element, Group};
 pub use keys::{Key, LabelKey, PolygonKey, ReferenceKey};
-pub use label::{Anchor, Label};
+pub use label::{Anchor, Label, TextStyle};
 pub use polygon::{Polygon, Properties};
 pub use polygon_store::PolygonView;
 pub use reference::{Array, Reference};

@@ -1,27 +1,21 @@
-//! A device into a file.
+//! Devices into a file.
 
 use std::path::Path;
 
 use phidl_core::num::grid::Grid;
 use phidl_core::scene::Device;
 
-use super::cells::CellTable;
-use super::elements::{Elements, unfit};
-use super::frame::{END_CELL, Frame};
-use super::limits::Limits;
-use super::options::GdsOptions;
-use super::outline::Outlines;
+use super::options::{GdsOptions, units};
+use super::writer::{Head, Writer};
 use crate::atomic::AtomicFile;
-use crate::error::Result;
+use crate::error::{IoError, Result};
+use crate::model::{Cell, CellTable, Content, Converter};
 use crate::weld::{self, WeldReport};
-
-/// Bytes are handed on in portions of about this size.
-const PORTION: usize = 1 << 20;
 
 /// What the writer did.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GdsReport {
-    /// The names of the cells in the file, the top cell last.
+    /// The names of the cells in the file, the top cells last.
     pub cells: Vec<String>,
     /// Outlines in the file, each cell counted once.
     pub outlines: u64,
@@ -29,7 +23,9 @@ pub struct GdsReport {
     pub cut_polygons: u64,
     /// Polygons that are smaller than the grid, a line or a point on it, and were left out.
     pub collapsed_polygons: u64,
-    /// Arrays whose elements do not lie on a lattice of the grid, and which are several references in the file.
+    /// Polygons from which repeated corners and there-and-back edges were taken out.
+    pub cleaned_polygons: u64,
+    /// Arrays whose elements are not a lattice on the grid, which are several references in the file.
     pub arrays_taken_apart: u64,
     /// Length of the file (bytes).
     pub bytes: u64,
@@ -37,9 +33,9 @@ pub struct GdsReport {
     pub weld: WeldReport,
 }
 
-/// Writes a device with all that it places as a GDSII file.
+/// Writes a device, or several, with all that they place as a GDSII file.
 ///
-/// The path is taken as it is; whatever stood there is replaced when the new file is whole, and not before.
+/// The path is taken as it is. A file of this name is replaced when the new file is complete, and not before.
 ///
 /// ```
 /// # use phidl_core::prelude::*;
@@ -57,125 +53,90 @@ pub struct GdsReport {
 /// ```
 ///
 /// # Errors
-/// [`IoError::Option`](crate::IoError::Option); [`IoError::Refused`](crate::IoError::Refused) and
-/// [`IoError::OutOfRange`](crate::IoError::OutOfRange) for what the format cannot say, with cell and element;
-/// [`IoError::File`](crate::IoError::File).
-pub fn write(device: &Device, path: impl AsRef<Path>, options: &GdsOptions) -> Result<GdsReport> {
-    let grid = options.check()?;
-    let mut file = AtomicFile::create(path)?;
-    let report = encode(device, &grid, options, |bytes| file.put(bytes))?;
+/// [`IoError::Option`]; [`IoError::Refused`] and [`IoError::OutOfRange`] for what the format cannot state, with cell and
+/// element; [`IoError::Extent`] for what placements bring out of range; [`IoError::EmptyMask`]; [`IoError::File`].
+pub fn write<'a>(content: impl Into<Content<'a>>, path: impl AsRef<Path>, options: &GdsOptions) -> Result<GdsReport> {
+    options.check()?;
+    into_file(content.into(), AtomicFile::create(path)?, options)
+}
+
+/// Writes a file of a folder of results, as [`write()`] does; a link that leads out of the folder is refused.
+pub(crate) fn write_in(top: &Device, folder: &Path, name: &str, options: &GdsOptions) -> Result<GdsReport> {
+    options.check()?;
+    into_file(top.into(), AtomicFile::create_in(folder, name)?, options)
+}
+
+fn into_file(content: Content<'_>, mut file: AtomicFile, options: &GdsOptions) -> Result<GdsReport> {
+    let report = encode(content, options, |bytes| file.put(bytes))?;
     file.commit()?;
     Ok(report)
 }
 
-/// The bytes that [`write()`] would write.
+/// The bytes that [`write()`] writes.
 ///
 /// # Errors
 /// As for [`write()`], files aside.
-pub fn to_bytes(device: &Device, options: &GdsOptions) -> Result<Vec<u8>> {
-    let grid = options.check()?;
+pub fn to_bytes<'a>(content: impl Into<Content<'a>>, options: &GdsOptions) -> Result<Vec<u8>> {
     let mut all = Vec::new();
-    encode(device, &grid, options, |bytes| {
+    encode(content.into(), options, |bytes| {
         all.extend_from_slice(bytes);
         Ok(())
     })?;
     Ok(all)
 }
 
-fn encode(
-    device: &Device,
-    grid: &Grid,
-    options: &GdsOptions,
-    mut put: impl FnMut(&[u8]) -> Result<()>,
-) -> Result<GdsReport> {
-    let (device, weld) = weld::weld(device, grid, &options.weld, options.max_cellname_length)?;
-    let table = CellTable::of(&device, options)?;
-    let frame = Frame::new(&options.library_name, options.date, options.units(grid)).map_err(unfit)?;
-    let limits = Limits(&options.limits);
-    let mut outlines = Outlines::new(grid, options, &limits);
-    let mut arrays_taken_apart = 0;
-    let mut total = 0;
-    let mut buffer = frame.head.clone();
-    let mut flush = |buffer: &mut Vec<u8>, from: usize| {
-        if buffer.len() < from {
-            return Ok(());
-        }
-        total += buffer.len() as u64;
-        put(buffer)?;
-        buffer.clear();
-        Ok(())
-    };
-    for (cell, name) in table.iter() {
-        buffer.extend_from_slice(&frame.cell(name).map_err(unfit)?);
-        outlines.write(cell, &mut buffer, |buffer| flush(buffer, PORTION))?;
-        let elements = Elements { cell, table: &table, frame: &frame, grid, limits: &limits };
-        arrays_taken_apart += elements.write(&mut buffer, |buffer| flush(buffer, PORTION))?;
-        buffer.extend_from_slice(&END_CELL);
+fn encode(content: Content<'_>, options: &GdsOptions, put: impl FnMut(&[u8]) -> Result<()>) -> Result<GdsReport> {
+    let grid = options.check()?;
+    let (tops, weld) = welded(content, &grid, options)?;
+    let table = CellTable::of(Content::from(&tops), &options.naming());
+    let head = Head { name: &options.library_name, date: options.date, units: units(&grid, options.user_unit) };
+    let mut writer = Writer::new(&head, put);
+    let mut converter = Converter::new(&table, options.rules(grid));
+    let mut cell: Option<Cell> = None;
+    for (device, _) in table.iter() {
+        let cell = cell.get_or_insert_with(|| Cell::new(table.id_of(device)));
+        converter.convert(device, cell)?;
+        writer.cell(cell, table.names())?;
     }
-    buffer.extend_from_slice(&frame.tail);
-    flush(&mut buffer, 0)?;
+    tops.iter().try_for_each(|top| check_extent(top, &grid))?;
+    let changes = converter.changes;
+    if !options.allow_empty && changes.outlines == 0 && changes.labels == 0 {
+        let name = content.tops().first().map_or("", |top| top.name());
+        return Err(IoError::EmptyMask { cell: name.into(), collapsed: changes.collapsed_polygons });
+    }
     Ok(GdsReport {
         cells: table.iter().map(|(_, name)| name.to_owned()).collect(),
-        outlines: outlines.written.outlines,
-        cut_polygons: outlines.written.cut,
-        collapsed_polygons: outlines.written.collapsed,
-        arrays_taken_apart,
-        bytes: total,
+        outlines: changes.outlines,
+        cut_polygons: changes.cut_polygons,
+        collapsed_polygons: changes.collapsed_polygons,
+        cleaned_polygons: changes.cleaned_polygons,
+        arrays_taken_apart: changes.arrays_taken_apart,
+        bytes: writer.finish()?,
         weld,
     })
 }
 
-#[cfg(test)]
-mod tests {
-    use gds21::{GdsElement, GdsLibrary};
-    use phidl_core::geom::Point;
-    use phidl_core::layer::Layer;
-    use phidl_core::place::Movable;
-    use phidl_core::scene::{Anchor, Label, Polygon};
-
-    use super::*;
-
-    /// gds21's own reader knows nothing of the way that outlines take here.
-    #[test]
-    fn gds21_finds_every_element_with_all_it_has() {
-        let mut d = Device::builder("dot");
-        d.add(Polygon::new([(0, 0), (1, 0), (0, 1)], (40_000, 3)).with_property(7, "odd"));
-        let dot = d.build().unwrap();
-        let mut d = Device::builder("top");
-        d.add(Label::new("here", (1, 2), (5, 6)).anchored(Anchor::SouthWest));
-        d.add(dot.place().rotated(90).moved_by((3, 4)));
-        d.add(dot.array(2, 3, (10, 20)));
-        let bytes = to_bytes(&d.build().unwrap(), &GdsOptions::default()).unwrap();
-
-        let library = GdsLibrary::from_bytes(&bytes).unwrap();
-        let names: Vec<&str> = library.structs.iter().map(|cell| cell.name.as_str()).collect();
-        assert_eq!(names, ["dot", "top"]);
-        let [GdsElement::GdsBoundary(b)] = &library.structs[0].elems[..] else { panic!("one boundary") };
-        assert_eq!((b.layer, b.datatype, b.xy.len()), (-25_536, 3, 4));
-        assert_eq!((b.properties[0].attr, b.properties[0].value.as_str()), (7, "odd"));
-        let [GdsElement::GdsTextElem(t), GdsElement::GdsStructRef(s), GdsElement::GdsArrayRef(a)] =
-            &library.structs[1].elems[..]
-        else {
-            panic!("a text, a reference, an array")
-        };
-        assert_eq!((t.string.as_str(), t.xy.x, t.texttype), ("here", 1000, 6));
-        assert_eq!(t.presentation.as_ref().unwrap().1, 8);
-        assert_eq!((s.xy.y, s.strans.as_ref().unwrap().angle), (4000, Some(90.0)));
-        assert_eq!((a.cols, a.rows, a.xy[1].x, a.xy[2].y), (2, 3, 20_000, 60_000));
-        assert_eq!(library.units.db_unit(), 1e-9);
+/// Refuses what placements bring out of the 32 bits of a file, nested, magnified and arrayed. Readers would show it elsewhere.
+fn check_extent(top: &Device, grid: &Grid) -> Result<()> {
+    let Err(error) = top.check_extent(grid) else { return Ok(()) };
+    // 32 bits reach one step further down than up.
+    let lowest = -(1_i64 << 31);
+    let wider = grid.reaching(-lowest);
+    let is_lowest = |um: f64| wider.steps(um).is_ok_and(|steps| (lowest..-lowest).contains(&steps));
+    if top.check_extent(&wider).is_ok() && is_lowest(error.point.x) && is_lowest(error.point.y) {
+        return Ok(());
     }
+    Err(IoError::Extent(error))
+}
 
-    #[test]
-    fn portions_make_the_same_file_as_one_piece() {
-        let mut d = Device::builder("many");
-        for i in 0..20_000 {
-            let at = Point::from((i % 200, i / 200));
-            d.add_polygon([at, at + Point::new(0.5, 0.0), at + Point::new(0.0, 0.5)], Layer::new(1, 0)).unwrap();
-        }
-        let many = d.build().unwrap();
-        let bytes = to_bytes(&many, &GdsOptions::default()).unwrap();
-        assert!(bytes.len() > PORTION);
-        let [cell] = &GdsLibrary::from_bytes(&bytes).unwrap().structs[..] else { panic!("one cell") };
-        assert_eq!(cell.elems.len(), 20_000);
+/// The top devices with welded joints.
+pub(super) fn welded(content: Content<'_>, grid: &Grid, options: &GdsOptions) -> Result<(Vec<Device>, WeldReport)> {
+    let mut report = WeldReport::default();
+    let mut tops = Vec::with_capacity(content.tops().len());
+    for top in content.tops() {
+        let (welded, done) = weld::weld(top, grid, &options.weld, options.max_cellname_length)?;
+        tops.push(welded);
+        report.add(done);
     }
+    Ok((tops, report))
 }

@@ -1,4 +1,4 @@
-//! The described device: what a cell comes down to, in the form of the reference results.
+//! The described device: what a cell draws, in the form of the reference results.
 
 use indexmap::IndexMap;
 use phidl_core::geom::Rect;
@@ -8,9 +8,14 @@ use phidl_core::scene::{Device, FlatPolygon};
 use serde_json::{Map, Value, json};
 
 use super::value::{map, point};
+use crate::counts::Counts;
+use crate::error::{IoError, Result};
 
 /// Points are listed if there are not more of them than this in the whole device.
 const MOST_LISTED: usize = 20_000;
+
+/// Devices with more instances or corners are not walked.
+const MOST_FLAT: u64 = 1 << 26;
 
 /// The precision at which reference results are hashed (µm).
 const HASH_PRECISION: f64 = 1e-4;
@@ -18,28 +23,30 @@ const HASH_PRECISION: f64 = 1e-4;
 /// Describes a device: its box, what is drawn on each layer (all levels, in order of first appearance), ports, info and
 /// the geometry hash at 1e-4 µm.
 ///
-/// `points` are listed for up to 20,000 points in all; `area` is what the polygons of a layer cover together (µm²), null
-/// where that is beyond what numbers can hold.
+/// `points` are listed for up to 20,000 points in all; `area` is what the polygons of a layer cover together (µm²).
 ///
 /// ```
 /// # use phidl_core::prelude::*;
 /// let mut d = Device::builder("pad");
 /// d.add_polygon([(0, 0), (4, 0), (4, 2), (0, 2)], 1)?;
-/// let described = phidl_io::json::describe(&d.build()?);
+/// let described = phidl_io::json::describe(&d.build()?)?;
 /// assert_eq!(described["bbox"].to_string(), "[[0.0,0.0],[4.0,2.0]]");
 /// assert_eq!(described["layers"]["1/0"]["vertices"], 4);
-/// # Ok::<(), phidl_core::Error>(())
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[must_use]
-pub fn describe(device: &Device) -> Value {
+///
+/// # Errors
+/// [`IoError::TooLarge`] beyond 2²⁶ instances or corners; [`IoError::Area`] for what the boolean engine refuses.
+pub fn describe(device: &Device) -> Result<Value> {
+    Counts::check_flat(device, MOST_FLAT)?;
     let hash = device.hash_geometry(HASH_PRECISION).expect("invariant: the precision is a length");
-    json!({
+    Ok(json!({
         "bbox": device.bbox().map(corners),
-        "layers": layers(device),
+        "layers": layers(device)?,
         "ports": device.ports().map(|p| (p.name().to_owned(), port(p))).collect::<Map<_, _>>(),
         "info": map(device.info()),
         "hash_geometry": hash,
-    })
+    }))
 }
 
 pub(crate) fn corners(rect: Rect) -> Value {
@@ -66,7 +73,7 @@ struct Drawn {
     points: Vec<Value>,
 }
 
-fn layers(device: &Device) -> Map<String, Value> {
+fn layers(device: &Device) -> Result<Map<String, Value>> {
     let listed = device.flat_counts().is_ok_and(|(_, points)| points <= MOST_LISTED);
     let mut layers: IndexMap<String, Drawn> = IndexMap::new();
     for polygon in device.flat_polygons() {
@@ -78,7 +85,9 @@ fn layers(device: &Device) -> Map<String, Value> {
             drawn.points.push(outline(&polygon));
         }
     }
-    for (layer, area) in phidl_boolean::merged_areas(device).unwrap_or_default() {
+    let areas = phidl_boolean::merged_areas(device)
+        .map_err(|source| IoError::Area { cell: device.name().into(), source: Box::new(source) })?;
+    for (layer, area) in areas {
         layers.entry(layer.to_string()).or_default().area = Some(area);
     }
     let described = layers.into_iter().map(|(layer, drawn)| {
@@ -88,7 +97,7 @@ fn layers(device: &Device) -> Map<String, Value> {
         }
         (layer, described)
     });
-    described.collect()
+    Ok(described.collect())
 }
 
 fn outline(polygon: &FlatPolygon<'_>) -> Value {
@@ -114,7 +123,19 @@ mod tests {
             "info": {},
             "hash_geometry": "c4e88bd284ec6dd6fb3017411c5e9e0f69c7e8c7",
         });
-        assert_eq!(describe(&d.build().unwrap()), expected);
+        assert_eq!(describe(&d.build().unwrap()).unwrap(), expected);
+    }
+
+    #[test]
+    fn a_device_of_endless_placements_is_refused() {
+        let mut device = Device::builder("nothing").build().unwrap();
+        for _ in 0..5 {
+            let mut d = Device::builder("array");
+            d.add(device.array(60_000, 60_000, (1, 1)));
+            device = d.build().unwrap();
+        }
+        let error = describe(&device).unwrap_err();
+        assert!(matches!(error, IoError::TooLarge { what: "instances", size: u64::MAX, .. }), "{error}");
     }
 
     #[test]
@@ -126,13 +147,13 @@ mod tests {
         d.add(dot.array(2, 2, (10, 10)));
         d.add_port("e", ((1, 2), 3, 90)).unwrap();
         d.info("length", 1.5).info("turns", 3);
-        let described = describe(&d.build().unwrap());
+        let described = describe(&d.build().unwrap()).unwrap();
         assert_eq!(described["layers"]["1/0"]["polygons"], 4);
         assert_eq!(described["layers"]["1/0"]["area"], 2.0);
         assert_eq!(described["layers"]["1/0"]["points"][3][0], json!([10.0, 10.0]));
         assert_eq!(described["ports"]["e"], json!({"midpoint": [1.0, 2.0], "width": 3.0, "orientation": 90.0}));
         assert_eq!(described["info"], json!({"length": 1.5, "turns": 3}));
-        let empty = describe(&Device::builder("nothing").build().unwrap());
+        let empty = describe(&Device::builder("nothing").build().unwrap()).unwrap();
         assert_eq!((&empty["bbox"], &empty["layers"]), (&Value::Null, &json!({})));
     }
 }

@@ -6,9 +6,16 @@ mod describe;
 mod metadata;
 mod value;
 
+use phidl_core::scene::Source;
+
 pub(crate) use describe::corners;
 pub use describe::describe;
 pub use metadata::metadata;
+
+/// The parameters of a generator as JSON text on one line.
+pub(crate) fn parameters(source: &Source) -> String {
+    serde_json::Value::Object(value::params(source)).to_string()
+}
 
 /// JSON as text for a file: indented, with a newline at the end.
 #[must_use]

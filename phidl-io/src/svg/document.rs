@@ -1,6 +1,6 @@
 //! The picture: definitions of cells, then one group per layer.
 
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use phidl_core::geom::{Point, Rect, Transform, signed_area};
@@ -12,7 +12,7 @@ use super::SvgOptions;
 use super::array::{Thing, place, row};
 use super::looks::looks;
 use super::number::{escaped, length, placement, push_point};
-use crate::distinct::DistinctCells;
+use crate::model::{DistinctCells, MergeCells};
 
 /// Labels are this part of the picture's longer side high.
 const LABEL_PART: f64 = 1.0 / 50.0;
@@ -28,7 +28,7 @@ enum Plane {
 pub(super) fn draw(device: &Device, options: &SvgOptions) -> String {
     let nothing = Rect { min: Point::ORIGIN, max: Point::ORIGIN };
     let frame = device.bbox().unwrap_or(nothing);
-    let cells = DistinctCells::of(device);
+    let cells = DistinctCells::of(std::slice::from_ref(device), MergeCells::EqualDrawings);
     let mut picture = Picture { planes: planes(&cells), cells: &cells, defs: String::new() };
     let groups = picture.groups(options);
     let size = frame.size();
@@ -51,16 +51,29 @@ pub(super) fn draw(device: &Device, options: &SvgOptions) -> String {
     )
 }
 
-/// The planes on which each cell has something, itself or below.
-fn planes(cells: &DistinctCells) -> Vec<BTreeSet<Plane>> {
-    let mut planes: Vec<BTreeSet<Plane>> = Vec::new();
+/// What a cell shows on one plane.
+#[derive(Default)]
+struct Shown<'a> {
+    polygons: Vec<PolygonView<'a>>,
+    /// Indices of the references whose cells show something on the plane.
+    references: Vec<usize>,
+}
+
+/// For each cell, the planes on which it or a cell below it shows something.
+fn planes(cells: &DistinctCells) -> Vec<BTreeMap<Plane, Shown<'_>>> {
+    let mut planes: Vec<BTreeMap<Plane, Shown<'_>>> = Vec::new();
     for cell in cells.as_slice() {
-        let mut own: BTreeSet<Plane> = cell.polygons().map(|polygon| Plane::Layer(polygon.layer)).collect();
-        if !cell.labels().is_empty() {
-            own.insert(Plane::Labels);
+        let mut own: BTreeMap<Plane, Shown<'_>> = BTreeMap::new();
+        for polygon in cell.polygons() {
+            own.entry(Plane::Layer(polygon.layer)).or_default().polygons.push(polygon);
         }
-        for reference in cell.references() {
-            own.extend(&planes[cells.place_of(reference.device())]);
+        if !cell.labels().is_empty() {
+            own.entry(Plane::Labels).or_default();
+        }
+        for (index, reference) in cell.references().iter().enumerate() {
+            for plane in planes[cells.index_of(reference.device())].keys() {
+                own.entry(*plane).or_default().references.push(index);
+            }
         }
         planes.push(own);
     }
@@ -69,21 +82,25 @@ fn planes(cells: &DistinctCells) -> Vec<BTreeSet<Plane>> {
 
 struct Picture<'a> {
     cells: &'a DistinctCells,
-    planes: Vec<BTreeSet<Plane>>,
+    planes: Vec<BTreeMap<Plane, Shown<'a>>>,
     defs: String,
 }
 
 impl Picture<'_> {
-    /// One group for each plane of the top cell; the cells below are defined on the way.
+    /// One group for each plane of the top cell; the cells below are defined before. Each element of each cell is visited
+    /// once for each plane that it is on, however many cells and planes there are.
     fn groups(&mut self, options: &SvgOptions) -> String {
         let mut groups = String::new();
         let top = self.planes.len() - 1;
-        for (number, plane) in self.planes[top].clone().into_iter().enumerate() {
-            for cell in 0..top {
-                if self.planes[cell].contains(&plane) {
-                    let content = self.content(cell, plane, number);
-                    push_line(&mut self.defs, &format!("<g id=\"{}\">{content}</g>", id(cell, number)));
-                }
+        let mut cells_on: BTreeMap<Plane, Vec<usize>> = BTreeMap::new();
+        for (cell, planes) in self.planes[..top].iter().enumerate() {
+            planes.keys().for_each(|plane| cells_on.entry(*plane).or_default().push(cell));
+        }
+        let planes: Vec<Plane> = self.planes[top].keys().copied().collect();
+        for (number, plane) in planes.into_iter().enumerate() {
+            for cell in cells_on.remove(&plane).unwrap_or_default() {
+                let content = self.content(cell, plane, number);
+                push_line(&mut self.defs, &format!("<g id=\"{}\">{content}</g>", id(cell, number)));
             }
             let content = self.content(top, plane, number);
             push_line(&mut groups, &format!("<g {}>{content}</g>", group_looks(plane, options)));
@@ -94,16 +111,16 @@ impl Picture<'_> {
     /// What a cell shows on a plane: its own outlines or labels, then what it places.
     fn content(&mut self, cell: usize, plane: Plane, number: usize) -> String {
         let device = &self.cells.as_slice()[cell];
+        let Some(shown) = self.planes[cell].get(&plane) else { return String::new() };
         let mut content = match plane {
-            Plane::Layer(layer) => path(device.polygons().filter(|polygon| polygon.layer == layer)),
+            Plane::Layer(_) => path(shown.polygons.iter().copied()),
             Plane::Labels => device.labels().iter().map(text).collect(),
         };
-        for (index, reference) in device.references().iter().enumerate() {
-            let child = self.cells.place_of(reference.device());
-            if self.planes[child].contains(&plane) {
-                let name = format!("{}r{index}", id(cell, number));
-                content.push_str(&placed(reference, id(child, number), &name, &mut self.defs));
-            }
+        for index in &shown.references {
+            let reference = &device.references()[*index];
+            let child = self.cells.index_of(reference.device());
+            let name = format!("{}r{index}", id(cell, number));
+            content.push_str(&placed(reference, id(child, number), &name, &mut self.defs));
         }
         content
     }

@@ -107,6 +107,23 @@ pub(super) struct Counts {
     pub(super) squeezed: u64,
 }
 
+impl WeldReport {
+    /// Adds what was done for another top device of the same file.
+    pub(crate) fn add(&mut self, other: Self) {
+        self.joints += other.joints;
+        self.closed += other.closed;
+        self.welded += other.welded;
+        self.forms.extend(other.forms);
+        self.arrays_split += other.arrays_split;
+        self.inserted_vertices += other.inserted_vertices;
+        self.squeezed_outlines += other.squeezed_outlines;
+        self.largest_move_steps = self.largest_move_steps.max(other.largest_move_steps);
+        self.largest_gap_steps = self.largest_gap_steps.max(other.largest_gap_steps);
+        self.listed.extend(other.listed);
+        self.near_misses.extend(other.near_misses);
+    }
+}
+
 impl std::fmt::Display for WeldReport {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let mut cells: Vec<&str> = self.forms.iter().map(|form| form.cell.as_str()).collect();

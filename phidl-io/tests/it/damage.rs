@@ -40,10 +40,10 @@ fn what_follows_the_library_is_padding() {
 #[test]
 fn any_byte_may_be_any_other() {
     let sample = sample();
-    for place in 0..sample.len() {
+    for index in 0..sample.len() {
         for value in [0, 1, 2, 4, 5, 7, 8, 0x11, 0x7f, 0x80, 0xff] {
             let mut damaged = sample.clone();
-            damaged[place] = value;
+            damaged[index] = value;
             reading_is_a_device_or_an_error(&damaged);
         }
     }

@@ -1,7 +1,7 @@
 //! Files on the disk, and errors that name them.
 
 use phidl_core::prelude::*;
-use phidl_io::gds::{self, GdsLimits, GdsOptions, ReadOptions};
+use phidl_io::gds::{self, FileLimits, GdsOptions, ReadOptions};
 use phidl_io::{IoError, Item};
 
 fn cell(edit: impl FnOnce(&mut DeviceBuilder)) -> Device {
@@ -38,12 +38,12 @@ fn a_refused_device_leaves_the_old_file_alone() {
 #[test]
 fn what_the_format_cannot_say_is_refused_with_cell_and_element() {
     let write = |device: &Device, options: &GdsOptions| gds::to_bytes(device, options).unwrap_err();
-    let manual = GdsOptions { limits: GdsLimits::MANUAL, ..GdsOptions::default() };
+    let manual = GdsOptions { limits: FileLimits::MANUAL, ..GdsOptions::default() };
     let text = cell(|d| {
         d.add_label("5 µm", (0, 0), 1).unwrap();
     });
     assert!(
-        matches!(write(&text, &GdsOptions::default()), IoError::Refused { item, .. } if matches!(*item, Item::Label { index: 0, .. }))
+        matches!(write(&text, &manual), IoError::Refused { item, .. } if matches!(*item, Item::Label { index: 0, .. }))
     );
     let layer = cell(|d| {
         d.add_polygon([(0, 0), (1, 0), (0, 1)], 300).unwrap();
@@ -66,8 +66,17 @@ fn what_the_format_cannot_say_is_refused_with_cell_and_element() {
 }
 
 #[test]
-fn an_empty_cell_is_a_file() {
-    let bytes = gds::to_bytes(&Device::builder("nothing").build().unwrap(), &GdsOptions::default()).unwrap();
+fn an_empty_mask_is_a_file_if_that_is_allowed() {
+    let nothing = Device::builder("nothing").build().unwrap();
+    let refused = gds::to_bytes(&nothing, &GdsOptions::default()).unwrap_err();
+    assert_eq!(refused.to_string(), "cell \"nothing\": the mask is empty");
+    let dust = cell(|d| {
+        d.add_polygon([(0.0, 0.0), (1e-9, 0.0), (0.0, 1e-9)], 1).unwrap();
+    });
+    let refused = gds::to_bytes(&dust, &GdsOptions::default()).unwrap_err();
+    assert_eq!(refused.to_string(), "cell \"chip\": the mask is empty: its only polygon encloses nothing on the grid");
+    let options = GdsOptions { allow_empty: true, ..GdsOptions::default() };
+    let bytes = gds::to_bytes(&nothing, &options).unwrap();
     let import = gds::read_bytes(&bytes, &ReadOptions::default()).unwrap();
     assert_eq!((import.device.name(), import.device.is_empty()), ("nothing", true));
 }
@@ -77,13 +86,15 @@ fn the_report_says_what_was_cut_and_left_out() {
     let device = cell(|d| {
         d.add_polygon([(0.0, 0.0), (1e-4, 0.0), (0.0, 1e-4)], 1).unwrap();
         d.add_polygon((0..100).map(|i| Point::polar(10.0, 3.6 * f64::from(i))).collect::<Vec<_>>(), 1).unwrap();
+        d.add_polygon([(0, 0), (5, 0), (9, 0), (5, 0), (5, 5), (5, 5)], 1).unwrap();
         d.add(triangle("a").array(3, 3, (0.3333, 0.3333)));
         d.add(triangle("a").array(3, 3, (3, 3)));
     });
     let folder = tempfile::tempdir().unwrap();
     let options = GdsOptions { max_points: 40, ..GdsOptions::default() };
     let report = gds::write(&device, folder.path().join("a.gds"), &options).unwrap();
-    assert_eq!((report.cut_polygons, report.collapsed_polygons, report.arrays_taken_apart), (1, 1, 1));
+    let changes = (report.cut_polygons, report.collapsed_polygons, report.cleaned_polygons, report.arrays_taken_apart);
+    assert_eq!(changes, (1, 1, 1, 1));
     assert_eq!(report.cells, ["a", "chip"]);
     assert_eq!(report.bytes, std::fs::metadata(folder.path().join("a.gds")).unwrap().len());
 }
@@ -94,7 +105,8 @@ fn any_cell_of_a_file_can_be_read_by_name() {
         d.add(triangle("a"));
     });
     let bytes = gds::to_bytes(&device, &GdsOptions::default()).unwrap();
-    let read = |name: &str| gds::read_bytes(&bytes, &ReadOptions { cellname: Some(name.into()) });
+    let read =
+        |name: &str| gds::read_bytes(&bytes, &ReadOptions { cellname: Some(name.into()), ..ReadOptions::default() });
     assert_eq!(read("a").unwrap().device.name(), "a");
     match read("b") {
         Err(IoError::UnknownCell { name, cells, .. }) => {
@@ -108,4 +120,43 @@ fn any_cell_of_a_file_can_be_read_by_name() {
 fn a_file_that_is_not_there_is_named() {
     let error = gds::read("no/such/file.gds", &ReadOptions::default()).unwrap_err();
     assert!(error.to_string().contains("no/such/file.gds"), "{error}");
+}
+
+#[test]
+fn what_a_placement_brings_out_of_range_is_refused_and_what_fits_is_written() {
+    let far = |name: &str, child: &Device, transform: Transform| {
+        let mut d = Device::builder(name);
+        d.add(Reference::new(child.clone(), transform));
+        d.build().unwrap()
+    };
+    let shift = |x: f64| Transform::translation(Point::new(x, 0.0));
+    let inner = far("inner", &triangle("a"), shift(2_000_000.0));
+    let refused = [
+        far("nested", &inner, shift(200_000.0)),
+        far("scaled", &inner, Transform::scaling(2.0)),
+        cell(|d| {
+            d.add(triangle("a").array(3000, 1, (1000, 1000)));
+        }),
+    ];
+    for device in refused {
+        let error = gds::to_bytes(&device, &GdsOptions::default()).unwrap_err();
+        assert!(matches!(error, IoError::Extent(_)), "{error}");
+        assert!(error.to_string().contains(device.name()), "{error}");
+    }
+    let fits = [
+        far("nested", &inner, shift(147_482.0)),
+        far("turned", &far("corner", &triangle("a"), shift(2_147_483.0)), Transform::rotation(45.0)),
+        far("back", &inner, shift(-4_147_483.648)),
+    ];
+    assert!(fits.iter().all(|device| gds::to_bytes(device, &GdsOptions::default()).is_ok()));
+}
+
+#[test]
+fn a_file_is_read_flat_on_request() {
+    let device = cell(|d| {
+        d.add(triangle("a").array(3, 2, (5, 5)));
+    });
+    let bytes = gds::to_bytes(&device, &GdsOptions::default()).unwrap();
+    let flat = gds::read_bytes(&bytes, &ReadOptions { flatten: true, ..ReadOptions::default() }).unwrap().device;
+    assert_eq!((flat.references().len(), flat.polygons().len()), (0, 6));
 }

@@ -1,8 +1,9 @@
 //! Files of other programs, record by record: what the reader makes of them.
 
+use expect_test::expect;
 use phidl_core::prelude::*;
 use phidl_io::IoError;
-use phidl_io::gds::{Import, ProblemKind, ReadOptions, read_bytes};
+use phidl_io::gds::{Import, Problem, ProblemKind, ReadOptions, read_bytes};
 
 /// A record: kind, data type, content.
 fn record(kind: u8, data: u8, content: &[u8]) -> Vec<u8> {
@@ -132,7 +133,7 @@ fn texts_may_be_empty_or_in_latin_letters() {
 }
 
 #[test]
-fn records_that_nobody_knows_are_left_out_and_listed() {
+fn unknown_records_are_left_out_and_listed() {
     let odd = record(0x77, 2, &[1, 2]);
     let inside = element(0x08, &[number(0x0d, 1), odd.clone(), number(0x0e, 0), xy(&[(0, 0), (1, 0), (0, 1)])]);
     let read = import(&[cell("a", &[odd, inside, boundary(&[(0, 0), (1, 1)])])]);
@@ -142,21 +143,27 @@ fn records_that_nobody_knows_are_left_out_and_listed() {
 }
 
 #[test]
-fn files_without_one_way_to_read_them_say_why() {
+fn files_without_a_single_top_cell_say_why() {
     assert!(matches!(refused(&[]), IoError::NoTopCell { .. }));
     let several = refused(&[cell("a", &[]), cell("b", &[])]);
     assert!(matches!(several, IoError::SeveralTopCells { cells, .. } if cells == ["a", "b"]));
     let twice = refused(&[cell("a", &[]), cell("a", &[])]);
     assert!(matches!(twice, IoError::DuplicateCell { name, .. } if &*name == "a"));
-    let dangling = refused(&[cell("a", &[sref("nowhere")])]);
-    assert!(matches!(dangling, IoError::MissingCell { missing, .. } if &*missing == "nowhere"));
+}
+
+#[test]
+fn a_cell_that_is_not_in_the_file_is_read_as_an_empty_one() {
+    let read = import(&[cell("a", &[sref("nowhere"), sref("nowhere"), boundary(&[(0, 0), (1, 0), (0, 1)])])]);
+    assert_eq!(kinds(&read), [ProblemKind::MissingCell("nowhere".into())]);
+    let children: Vec<&str> = read.device.references().iter().map(|r| r.device().name()).collect();
+    assert_eq!((children, read.device.polygons().len()), (vec!["nowhere", "nowhere"], 1));
 }
 
 #[test]
 fn circles_of_cells_are_named() {
     let circle = [cell("a", &[sref("b")]), cell("b", &[sref("c")]), cell("c", &[sref("b")]), cell("d", &[])];
     match refused(&circle[..3]) {
-        IoError::Circle { chain, .. } => assert_eq!(chain, ["b", "c", "b"]),
+        IoError::CyclicCells { chain, .. } => assert_eq!(chain, ["b", "c", "b"]),
         other => panic!("{other}"),
     }
     match refused(&circle[1..3]) {
@@ -164,7 +171,7 @@ fn circles_of_cells_are_named() {
         other => panic!("{other}"),
     }
     // A circle elsewhere in the file does not matter.
-    let read = read_bytes(&library(&circle), &ReadOptions { cellname: Some("d".into()) });
+    let read = read_bytes(&library(&circle), &ReadOptions { cellname: Some("d".into()), ..ReadOptions::default() });
     assert_eq!(read.unwrap().device.name(), "d");
 }
 
@@ -175,31 +182,155 @@ fn cells_nested_without_end_are_refused() {
     assert!(matches!(refused(&chain), IoError::TooDeep { .. }));
 }
 
-#[test]
-fn a_reference_without_a_place_or_with_a_senseless_size_is_an_error() {
-    let magnified = |bytes: [u8; 8]| {
-        let records = [text(0x12, b"a"), record(0x1a, 1, &[0, 0]), record(0x1b, 5, &bytes), xy(&[(0, 0)])];
-        refused(&[cell("a", &[]), cell("b", &[element(0x0a, &records)])])
+/// The rule that an element breaks.
+fn defects(import: &Import) -> Vec<String> {
+    let defect = |problem: &Problem| match &problem.kind {
+        ProblemKind::Element(rule) => rule.to_string(),
+        other => format!("{other:?}"),
     };
-    assert!(matches!(magnified([0; 8]), IoError::Malformed { problem, .. } if problem.contains("magnification of 0")));
-    assert!(matches!(magnified([0xc1, 0x10, 0, 0, 0, 0, 0, 0]), IoError::Malformed { .. }));
-    let nowhere = refused(&[cell("a", &[]), cell("b", &[element(0x0a, &[text(0x12, b"a")])])]);
-    assert!(matches!(nowhere, IoError::Malformed { cell: Some(cell), .. } if &*cell == "b"));
+    import.problems.iter().map(defect).collect()
+}
+
+/// A single reference to "a" with some records before its coordinates.
+fn sref_with(records: &[Vec<u8>]) -> Vec<u8> {
+    element(0x0a, &[text(0x12, b"a"), records.concat(), xy(&[(0, 0)])])
 }
 
 #[test]
-fn a_broken_element_is_found_among_good_ones() {
-    let label =
-        |places: &[(i32, i32)]| element(0x0c, &[number(0x0d, 1), number(0x16, 0), xy(places), text(0x19, b"label")]);
-    let (good, bad) = (label(&[(0, 0)]), label(&[(0, 0), (1, 1)]));
-    let start = library(&[]).len() - 4;
+fn an_odd_element_is_left_out_and_the_rest_is_read() {
+    let mag = |bytes: [u8; 8]| sref_with(&[record(0x1a, 1, &[0, 0]), record(0x1b, 5, &bytes)]);
+    let elements = [
+        mag([0; 8]),
+        mag([0xc1, 0x10, 0, 0, 0, 0, 0, 0]),
+        element(0x0a, &[text(0x12, b"a")]),
+        element(0x0a, &[xy(&[(0, 0)])]),
+        element(0x08, &[number(0x0e, 0), xy(&[(0, 0), (1, 0), (0, 1)])]),
+        element(0x08, &[number(0x0d, 1), number(0x0e, 0)]),
+        element(0x08, &[number(0x0d, 1), record(0x10, 3, &[0; 12])]),
+        element(0x08, &[record(0x0d, 2, &[0; 4]), number(0x0e, 0), xy(&[(0, 0), (1, 0), (0, 1)])]),
+        element(0x0c, &[number(0x0d, 1), xy(&[(0, 0)])]),
+        element(0x0b, &[text(0x12, b"a"), record(0x13, 2, &[0, 0, 0, 2]), xy(&[(0, 0), (1, 0), (0, 1)])]),
+        element(0x0b, &[text(0x12, b"a"), record(0x13, 2, &[0, 1, 0, 2]), xy(&[(0, 0), (1, 0)])]),
+        sref("a"),
+        boundary(&[(0, 0), (1, 0), (0, 1)]),
+    ];
+    let read = import(&[cell("a", &[]), cell("b", &elements)]);
+    expect![[r#"
+        its magnification is 0
+        its magnification is -1
+        it has no coordinates
+        it names no cell
+        it states no layer
+        it has no coordinates
+        its coordinates are not pairs of 32-bit numbers
+        record 0x0d holds 4 bytes instead of 2
+        it has no string
+        it is an array of 0 columns and 2 rows
+        it has 2 points instead of 3"#]]
+    .assert_eq(&defects(&read).join("\n"));
+    assert!(read.problems.iter().all(|problem| problem.cell == "b"));
+    assert_eq!((read.device.references().len(), read.device.polygons().len()), (1, 1));
+}
+
+#[test]
+fn magnification_and_angle_count_without_strans() {
+    let half = record(0x1b, 5, &[0x40, 0x80, 0, 0, 0, 0, 0, 0]);
+    let quarter_turn = record(0x1c, 5, &[0x42, 0x5a, 0, 0, 0, 0, 0, 0]);
+    let read = import(&[cell("a", &[]), cell("b", &[sref_with(&[half, quarter_turn])])]);
+    let transform = *read.device.references()[0].transform();
+    assert_eq!((transform.magnification, transform.rotation, transform.x_reflection), (0.5, 90.0, false));
+    assert_eq!(kinds(&read), []);
+}
+
+#[test]
+fn types_that_are_not_stated_are_0_and_boxes_need_not_be_closed() {
+    let square = [(0, 0), (1000, 0), (1000, 1000), (0, 1000)];
+    let elements = [
+        element(0x0c, &[number(0x0d, 7), xy(&[(0, 0)]), text(0x19, b"x")]),
+        element(0x08, &[number(0x0d, 7), xy(&square)]),
+        element(0x2d, &[number(0x0d, 7), xy(&square)]),
+        element(0x2d, &[number(0x0d, 7), xy(&[(0, 0), (2000, 1000)])]),
+    ];
+    let read = import(&[cell("a", &elements)]);
+    assert_eq!(read.device.labels()[0].layer, Layer::new(7, 0));
+    let areas: Vec<f64> = read.device.polygons().map(|p| p.area()).collect();
+    assert_eq!((areas, kinds(&read)), (vec![1.0, 1.0, 2.0], vec![ProblemKind::Box, ProblemKind::Box]));
+    assert!(read.device.polygons().all(|p| p.layer == Layer::new(7, 0)));
+}
+
+#[test]
+fn arrays_have_up_to_65535_columns() {
+    let colrow = record(0x13, 2, &[0x9c, 0x40, 0, 1]);
+    let array = element(0x0b, &[text(0x12, b"a"), colrow, xy(&[(0, 0), (40_000, 0), (0, 1)])]);
+    let read = import(&[cell("a", &[]), cell("b", &[array])]);
+    let array = read.device.references()[0].array().unwrap();
+    assert_eq!((array.columns, array.rows, array.column_step), (40_000, 1, Point::new(0.001, 0.0)));
+}
+
+#[test]
+fn the_first_of_two_properties_of_one_attribute_is_kept() {
+    let property = |value: &[u8]| [number(0x2b, 5), text(0x2c, value)].concat();
+    let other = [number(0x2b, 6), text(0x2c, b"other")].concat();
+    let records =
+        [number(0x0d, 1), number(0x0e, 0), xy(&[(0, 0), (1, 0), (0, 1)]), property(b"1st"), property(b"2nd"), other];
+    let read = import(&[cell("a", &[element(0x08, &records)])]);
+    let properties: Vec<(u16, String)> = read
+        .device
+        .polygons()
+        .flat_map(|p| p.properties().map(|(k, v)| (k, v.to_owned())).collect::<Vec<_>>())
+        .collect();
+    assert_eq!(properties, [(5, "1st".to_owned()), (6, "other".to_owned())]);
+    assert_eq!(kinds(&read), [ProblemKind::RepeatedProperty(5)]);
+}
+
+#[test]
+fn properties_outside_of_elements_and_bytes_after_the_end_are_listed() {
+    let property = [number(0x2b, 5), text(0x2c, b"x")].concat();
+    let mut bytes = library(&[property.clone(), cell("a", &[property])]);
+    bytes.extend_from_slice(&[0, 0, 7, 0, 0]);
+    let read = read_bytes(&bytes, &ReadOptions::default()).unwrap();
+    assert_eq!(kinds(&read), [ProblemKind::CellProperty, ProblemKind::CellProperty, ProblemKind::Trailing(3)]);
+}
+
+/// KLayout notes there where the cells of other libraries come from; it need not place anything that is drawn.
+#[test]
+fn klayouts_notes_are_no_cell() {
+    let context = cell("$$$CONTEXT_INFO$$$", &[sref("a"), sref("b")]);
+    let cells = [cell("a", &[boundary(&[(0, 0), (1, 0), (0, 1)])]), cell("b", &[sref("a")]), context];
+    let read = import(&cells);
+    assert_eq!((read.device.name(), kinds(&read)), ("b", vec![ProblemKind::ContextInfo]));
+}
+
+#[test]
+fn a_path_of_one_point_is_a_disc_or_a_square() {
+    let dot = |kind: i16, points: &[(i32, i32)]| {
+        let width = record(0x0f, 3, &1000_i32.to_be_bytes());
+        element(0x09, &[number(0x0d, 1), number(0x0e, 0), number(0x21, kind), width, xy(points)])
+    };
+    let elements = [dot(1, &[(0, 0)]), dot(2, &[(0, 0)]), dot(2, &[(5, 5), (5, 5)]), dot(0, &[(0, 0)])];
+    let read = import(&[cell("a", &elements)]);
+    let areas: Vec<f64> = read.device.polygons().map(|p| p.area()).collect();
+    assert!((areas[0] - PI / 4.0).abs() < 1e-3, "{areas:?}");
+    assert_eq!((&areas[1..], kinds(&read)), (&[1.0, 1.0][..], vec![ProblemKind::Empty]));
+}
+
+#[test]
+fn an_element_that_does_not_end_is_an_error_with_byte_and_cell() {
+    let open = [record(0x0a, 0, &[]), text(0x12, b"a"), xy(&[(0, 0)])].concat();
     let before = [cell("a", &[]), cell("b", &[sref("a"), sref("a")])].concat();
-    let bad_cell = cell("bad", &[good.clone(), sref("a"), bad, good.clone()]);
-    match refused(&[before.clone(), bad_cell]) {
-        IoError::Malformed { offset, cell, .. } => {
-            let in_cell = 28 + 4 + 4 + good.len() + sref("a").len();
-            assert_eq!((offset, cell.as_deref()), (start + before.len() + in_cell, Some("bad")));
-        }
-        other => panic!("{other}"),
+    let start = library(&[]).len() - 4 + before.len() + 28 + 8 + sref("a").len() + open.len();
+    match refused(&[before, cell("open", &[sref("a"), open, sref("a")])]) {
+        IoError::Malformed { offset, cell, .. } => assert_eq!((offset, cell.as_deref()), (start, Some("open"))),
+        other => panic!("{other:?}"),
     }
+}
+
+#[test]
+fn only_the_layers_that_are_asked_for_are_read() {
+    let label = element(0x0c, &[number(0x0d, 2), number(0x16, 0), xy(&[(0, 0)]), text(0x19, b"x")]);
+    let bytes = library(&[cell("a", &[boundary(&[(0, 0), (1, 0), (0, 1)]), label])]);
+    let layers = |number: u16| ReadOptions { layers: Some(Layers::from(number)), ..ReadOptions::default() };
+    let read = |number: u16| read_bytes(&bytes, &layers(number)).unwrap();
+    let counts = |import: &Import| (import.device.polygons().len(), import.device.labels().len(), import.left_out);
+    assert_eq!((counts(&read(1)), counts(&read(2))), ((1, 0, 1), (0, 1, 1)));
 }

@@ -20,10 +20,14 @@ use phidl_core::scene::Device;
 
 use super::number::escaped;
 use super::positive;
+use crate::counts::Counts;
 use crate::error::{IoError, Result};
 use notes::Notes;
 pub use scale::ScaleBar;
 use view::{PER_PIXEL, View, step};
+
+/// Devices with more instances or corners are not drawn flat.
+const MOST_FLAT: u64 = 1 << 24;
 
 /// The largest size and margin, in pixels.
 const MOST_PIXELS: f64 = 1e6;
@@ -83,7 +87,8 @@ impl Default for FigureOptions {
 /// ```
 ///
 /// # Errors
-/// [`IoError::Option`] for a size that is not positive, a margin that is negative, either of more than a million pixels.
+/// [`IoError::Option`] for a size that is not positive, a margin that is negative, either of more than a million pixels;
+/// [`IoError::TooLarge`] beyond 2²⁴ instances or corners.
 pub fn figure(device: &Device, options: &FigureOptions) -> Result<String> {
     for (option, pixels) in [("size.width", options.size.width), ("size.height", options.size.height)] {
         positive(option, pixels)?;
@@ -93,6 +98,7 @@ pub fn figure(device: &Device, options: &FigureOptions) -> Result<String> {
         return Err(IoError::option("margin", options.margin, "be at least 0"));
     }
     at_most_pixels("margin", options.margin)?;
+    Counts::check_flat(device, MOST_FLAT)?;
     let view = View::of(device, options);
     let mut notes = Notes::new(&view);
     if options.labels {

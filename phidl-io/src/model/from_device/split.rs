@@ -1,13 +1,12 @@
-//! Cutting outlines that have more corners than a record can hold.
+//! Cutting outlines that have more corners than a record holds.
 //!
-//! The outline, already on the grid, is cut along a line of the grid through the middle of its corners, again and again
-//! until every piece is small enough. Both sides of a cut share its points, so nothing opens and nothing overlaps. Cut
-//! points on level, upright and 45° edges lie on the edge exactly; on other edges they are at most half a grid step off,
-//! as every corner of such a shape is. Writing several coordinate records for one outline, as gdspy does, would keep the
-//! edges, but most readers refuse that or read the first record only.
+//! The outline, already on the grid, is cut along a line of the grid through the middle of its corners, until every piece
+//! is small enough. Both sides of a cut share its points, so no gap and no overlap arises. Cut points on level, upright
+//! and 45° edges lie on the edge exactly; on other edges they are off by at most half a grid step, as every corner of such
+//! a shape is. Several coordinate records for one outline, as gdspy writes them, would keep the edges, but most readers
+//! refuse that or read the first record only.
 
-/// A corner, in steps of the grid.
-pub(super) type Corner = [i32; 2];
+use crate::model::Corner;
 
 /// Pieces of at most `most` corners that cover what the outline covers. `most` is at least 16.
 pub(super) fn split(outline: Vec<Corner>, most: usize) -> Vec<Vec<Corner>> {
@@ -21,7 +20,7 @@ pub(super) fn split(outline: Vec<Corner>, most: usize) -> Vec<Vec<Corner>> {
         let halves = [wide_axis(&piece), 1 - wide_axis(&piece)].into_iter().find_map(|axis| halved(&piece, axis));
         match halves {
             Some(halves) => large.extend(halves.into_iter().rev()),
-            // All corners on few points: nothing to cut, and nothing to see.
+            // All corners on few points: no cut makes it smaller, and it covers nothing.
             None => small.push(without_repeats(piece, most)),
         }
     }
@@ -39,10 +38,10 @@ fn wide_axis(outline: &[Corner]) -> usize {
 
 /// The pieces on both sides of a cut across an axis, all smaller than the outline; `None` if no cut makes them so.
 fn halved(outline: &[Corner], axis: usize) -> Option<Vec<Vec<Corner>>> {
-    let mut places: Vec<i32> = outline.iter().map(|p| p[axis]).collect();
-    places.sort_unstable();
-    places.dedup();
-    let at = *places.get(places.len() / 2).filter(|_| places.len() > 2)?;
+    let mut positions: Vec<i32> = outline.iter().map(|p| p[axis]).collect();
+    positions.sort_unstable();
+    positions.dedup();
+    let at = *positions.get(positions.len() / 2).filter(|_| positions.len() > 2)?;
     let pieces = cut(outline, axis, at);
     pieces.iter().all(|piece| piece.len() < outline.len()).then_some(pieces)
 }
@@ -81,9 +80,9 @@ fn cut(outline: &[Corner], axis: usize, at: i32) -> Vec<Vec<Corner>> {
     pieces
 }
 
-/// A place where the outline crosses the line.
+/// A point where the outline crosses the line.
 struct Crossing {
-    /// Where on the line, in steps.
+    /// The position on the line, in steps.
     along: i64,
     outward: bool,
     /// The chain that ends here.
@@ -105,7 +104,7 @@ fn chains(outline: &[Corner], axis: usize, at: i32) -> (Vec<Vec<Corner>>, Vec<Cr
     let mut chain = count - 1;
     for (p, q) in edges().cycle().skip(start).take(outline.len()) {
         if beyond(p) != beyond(q) {
-            let along = crossing_place(p, q, axis, at);
+            let along = crossing_position(p, q, axis, at);
             let mut corner = [at; 2];
             corner[1 - axis] = along;
             let after = (chain + 1) % count;
@@ -123,7 +122,7 @@ fn chains(outline: &[Corner], axis: usize, at: i32) -> (Vec<Vec<Corner>>, Vec<Cr
 }
 
 /// Where the edge from `p` to `q` meets the line, to the nearest step.
-fn crossing_place(p: &Corner, q: &Corner, axis: usize, at: i32) -> i32 {
+fn crossing_position(p: &Corner, q: &Corner, axis: usize, at: i32) -> i32 {
     // From the same end for both directions of an edge, so that the two sides of a seam meet in one point.
     let (p, q) = if p[axis] < q[axis] { (p, q) } else { (q, p) };
     let wide = |v: i32| i128::from(v);
@@ -136,20 +135,20 @@ fn crossing_place(p: &Corner, q: &Corner, axis: usize, at: i32) -> i32 {
 
 /// Orders crossings at one point so that out and in alternate along the line.
 fn alternate(crossings: &mut [Crossing]) {
-    for place in 1..crossings.len() {
-        if crossings[place].outward != crossings[place - 1].outward {
+    for index in 1..crossings.len() {
+        if crossings[index].outward != crossings[index - 1].outward {
             continue;
         }
-        let here = crossings[place].along;
-        let same_point = crossings[place..].iter().take_while(|crossing| crossing.along == here);
-        let other = same_point.clone().position(|crossing| crossing.outward != crossings[place].outward);
+        let here = crossings[index].along;
+        let same_point = crossings[index..].iter().take_while(|crossing| crossing.along == here);
+        let other = same_point.clone().position(|crossing| crossing.outward != crossings[index].outward);
         if let Some(other) = other {
-            crossings.swap(place, place + other);
+            crossings.swap(index, index + other);
         }
     }
 }
 
-/// An outline that covers nothing, with no more corners than may be.
+/// An outline that covers nothing, with at most `most` corners.
 fn without_repeats(mut outline: Vec<Corner>, most: usize) -> Vec<Corner> {
     outline.dedup();
     outline.truncate(most);

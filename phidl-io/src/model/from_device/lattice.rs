@@ -1,27 +1,29 @@
-//! Arrays on the grid: which parts of a lattice one array record can say.
+//! Arrays on the grid: the parts of a lattice that one array record states.
 //!
 //! An array record holds the first element and the ends of two rows of steps, all on the grid; readers divide the ends by
 //! the counts. If a step is not on the grid (a pitch of 1/3 µm, a lattice turned by 30°), the elements of such a record
-//! drift away from their places. So a record is written only where the rounded place of every element agrees with it;
-//! otherwise the lattice is cut into rows or columns that agree, and at last into single references. A record with
-//! rounded steps would be shorter, and 100,000 elements later wrong by 30 µm.
+//! drift from their positions. So a record is written only where the rounded position of every element agrees with it.
+//! Otherwise the lattice is cut into rows or columns that agree, and at last into single references. A record with rounded
+//! steps would be shorter, and wrong by 30 µm after 100,000 elements.
 //!
-//! Lattices whose steps are not along the axes of their own frame are cut into single references as well: gdspy, and
-//! with it PHIDL, reads them as rectangular.
+//! Columns and rows are swapped where that puts the steps along the axes of the array's own frame: gdspy, and with it
+//! PHIDL, reads every lattice as rectangular there. A lattice that is skew in any case is written as an array unless
+//! [`Rules::skew_arrays`](super::Rules) says otherwise.
 
 use phidl_core::geom::Point;
 use phidl_core::num::grid::{Grid, GridError};
 use phidl_core::scene::{Array, Reference};
 
-use super::split::Corner;
+use super::convert::corner;
+use crate::model::{Corner, Lattice};
 
-/// The format's limit for columns and rows.
+/// The most columns and rows of a record: the manual has them as signed numbers.
 const MOST_COUNT: u32 = 32_767;
 
-/// An array that falls apart into more single references than this is refused: the file would have gigabytes.
+/// The most references that an array is taken apart into: beyond, the file would have gigabytes.
 pub(super) const MOST_BLOCKS: usize = 1 << 22;
 
-/// A part of a lattice that one record can say. One element is a single reference.
+/// A part of a lattice that one record states. One element is a single reference.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Block {
     pub(super) columns: u16,
@@ -31,6 +33,21 @@ pub(super) struct Block {
     pub(super) column_end: Corner,
     /// `rows` row steps further than the first element.
     pub(super) row_end: Corner,
+}
+
+impl Block {
+    /// The lattice of an array; `None` for a single reference.
+    pub(super) fn lattice(&self) -> Option<Box<Lattice>> {
+        let extent = |end: Corner| [0, 1].map(|axis| i64::from(end[axis]) - i64::from(self.first[axis]));
+        (self.columns > 1 || self.rows > 1).then(|| {
+            Box::new(Lattice {
+                columns: self.columns.into(),
+                rows: self.rows.into(),
+                column_extent: extent(self.column_end),
+                row_extent: extent(self.row_end),
+            })
+        })
+    }
 }
 
 /// Why a lattice cannot be written.
@@ -46,17 +63,31 @@ impl From<GridError> for LatticeError {
     }
 }
 
-/// The records that place a reference: one for a single placement, as few as may be for an array.
-pub(super) fn blocks(reference: &Reference, grid: &Grid) -> Result<Vec<Block>, LatticeError> {
+/// The records that place a reference: one for a single placement, as few as possible for an array. `skew_arrays`: whether
+/// lattices that are not rectangular in their own frame are arrays in the file.
+pub(super) fn blocks(reference: &Reference, grid: &Grid, skew_arrays: bool) -> Result<Vec<Block>, LatticeError> {
     let single = Array { columns: 1, rows: 1, column_step: Point::ORIGIN, row_step: Point::ORIGIN };
-    let array = *reference.array().unwrap_or(&single);
-    let mut lattice = Lattice { reference, grid, array, blocks: Vec::new() };
+    let array = upright(*reference.array().unwrap_or(&single));
+    let as_arrays = skew_arrays || is_rectangular(&array);
+    let mut lattice = Cutter { reference, grid, array, as_arrays, blocks: Vec::new() };
     for (column, columns) in parts(array.columns) {
         for (row, rows) in parts(array.rows) {
             lattice.cut(Range { column, row, columns, rows })?;
         }
     }
     Ok(lattice.blocks)
+}
+
+/// The same lattice with columns and rows swapped if that makes it rectangular.
+fn upright(array: Array) -> Array {
+    let Array { columns, rows, column_step, row_step } = array;
+    let swapped = Array { columns: rows, rows: columns, column_step: row_step, row_step: column_step };
+    if !is_rectangular(&array) && is_rectangular(&swapped) { swapped } else { array }
+}
+
+/// Whether columns step along x and rows along y. The step of a single column or row does not matter.
+fn is_rectangular(array: &Array) -> bool {
+    (array.columns == 1 || array.column_step.y == 0.0) && (array.rows == 1 || array.row_step.x == 0.0)
 }
 
 /// A count in parts that a record can hold.
@@ -72,14 +103,16 @@ struct Range {
     rows: u32,
 }
 
-struct Lattice<'a> {
+struct Cutter<'a> {
     reference: &'a Reference,
     grid: &'a Grid,
     array: Array,
+    /// Whether more than one element may be one record.
+    as_arrays: bool,
     blocks: Vec<Block>,
 }
 
-impl Lattice<'_> {
+impl Cutter<'_> {
     /// Adds the blocks of a part of the lattice: itself, its rows, its columns, or its elements.
     fn cut(&mut self, range: Range) -> Result<(), LatticeError> {
         if let Some(block) = self.block(range)? {
@@ -105,25 +138,24 @@ impl Lattice<'_> {
         (0..range.rows).try_for_each(|row| self.cut(Range { row: range.row + row, ..element }))
     }
 
-    /// The block for a part, if all its elements round to where the block puts them.
+    /// The block for a part, if all its elements round to their positions in the block.
     ///
-    /// What an element is away from the block's place grows evenly along columns and rows, and rounding keeps order: if
-    /// the four corners agree, so does all between them.
+    /// The distance of an element from its position in the block grows evenly along columns and rows, and rounding keeps
+    /// order: if the four corners agree, so do all elements between them.
     fn block(&self, range: Range) -> Result<Option<Block>, LatticeError> {
         let first = self.element(range.column, range.row)?;
         let (last_column, last_row) = (range.columns - 1, range.rows - 1);
         let single = range.columns == 1 && range.rows == 1;
-        let rectangular = self.array.column_step.y == 0.0 && self.array.row_step.x == 0.0;
-        if !single && !rectangular {
+        if !single && !self.as_arrays {
             return Ok(None);
         }
         let (column_step, row_step) = (self.step(self.array.column_step), self.step(self.array.row_step));
         let at = |columns: u32, rows: u32| -> Option<Corner> {
-            let place = |axis: usize| {
+            let position = |axis: usize| {
                 let steps = i64::from(columns) * column_step?[axis] + i64::from(rows) * row_step?[axis];
-                i32::try_from(i64::from(first[axis]) + steps).ok().filter(|place| *place > i32::MIN)
+                i32::try_from(i64::from(first[axis]) + steps).ok()
             };
-            Some([place(0)?, place(1)?])
+            Some([position(0)?, position(1)?])
         };
         for (column, row) in [(last_column, 0), (0, last_row), (last_column, last_row)] {
             let rounded = self.element(range.column + column, range.row + row)?;
@@ -141,10 +173,11 @@ impl Lattice<'_> {
     }
 
     fn element(&self, column: u32, row: u32) -> Result<Corner, GridError> {
-        super::corner(self.grid, self.reference.element(column, row).origin)
+        let step = self.reference.placed_step(self.array.step(column, row));
+        corner(self.grid, self.reference.transform().origin + step)
     }
 
-    /// A step as it stands in the file, if it is one that the grid reaches.
+    /// A step in the frame of the parent, if it is within the grid's reach.
     fn step(&self, step: Point) -> Option<[i64; 2]> {
         let (x, y) = self.grid.point_steps(self.reference.placed_step(step)).ok()?;
         Some([x, y])
@@ -153,9 +186,11 @@ impl Lattice<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use phidl_core::geom::Transform;
     use phidl_core::place::Movable;
     use phidl_core::scene::Device;
+
+    use super::*;
 
     fn grid() -> Grid {
         Grid::new(1e-3).unwrap()
@@ -167,9 +202,9 @@ mod tests {
         d.build().unwrap()
     }
 
-    /// Every element of every block, as a reader computes it.
+    /// The position of every element of every block, as a reader computes it.
     fn placed(blocks: &[Block]) -> Vec<Corner> {
-        let mut places = Vec::new();
+        let mut positions = Vec::new();
         for b in blocks {
             for column in 0..i32::from(b.columns.cast_signed()) {
                 for row in 0..i32::from(b.rows.cast_signed()) {
@@ -178,24 +213,23 @@ mod tests {
                             + (b.column_end[axis] - b.first[axis]) / i32::from(b.columns.cast_signed()) * column
                             + (b.row_end[axis] - b.first[axis]) / i32::from(b.rows.cast_signed()) * row
                     };
-                    places.push([axis(0), axis(1)]);
+                    positions.push([axis(0), axis(1)]);
                 }
             }
         }
-        places.sort_unstable();
-        places
+        positions.sort_unstable();
+        positions
     }
 
-    /// Every element rounded on its own: where it must be.
+    /// The position of every element, rounded on its own.
     fn wanted(reference: &Reference) -> Vec<Corner> {
-        let mut places: Vec<Corner> =
-            reference.elements().map(|e| crate::gds::corner(&grid(), e.origin).unwrap()).collect();
-        places.sort_unstable();
-        places
+        let mut positions: Vec<Corner> = reference.elements().map(|e| corner(&grid(), e.origin).unwrap()).collect();
+        positions.sort_unstable();
+        positions
     }
 
     fn check(reference: &Reference, records: usize) {
-        let blocks = blocks(reference, &grid()).unwrap();
+        let blocks = blocks(reference, &grid(), true).unwrap();
         assert_eq!(placed(&blocks), wanted(reference));
         assert_eq!(blocks.len(), records);
     }
@@ -227,16 +261,37 @@ mod tests {
         check(&dot().array(300, 300, (0.1 + 0.2, 0.7 - 0.1)).moved_by((0.1, 1e-13)), 1);
     }
 
+    fn lattice(columns: u32, rows: u32, column_step: (i32, i32), row_step: (i32, i32)) -> Array {
+        Array { columns, rows, column_step: column_step.into(), row_step: row_step.into() }
+    }
+
     #[test]
-    fn skewed_lattices_are_single_references() {
-        let step = |x: i32, y: i32| Point::from((x, y));
-        let skewed = Array { columns: 3, rows: 2, column_step: step(20, 5), row_step: step(-3, 10) };
-        check(&dot().place().with_array(skewed), 6);
+    fn skew_lattices_are_arrays_or_single_references_on_request() {
+        let skew = dot().place().with_array(lattice(3, 2, (20, 5), (-3, 10)));
+        check(&skew, 1);
+        assert_eq!(blocks(&skew, &grid(), false).unwrap().len(), 6);
+    }
+
+    #[test]
+    fn a_lattice_that_is_turned_by_a_quarter_against_its_angle_is_rectangular() {
+        let turned = dot().place().with_array(lattice(3, 2, (0, 20), (10, 0)));
+        check(&turned, 1);
+        assert_eq!(blocks(&turned, &grid(), false).unwrap().len(), 1);
+        assert_eq!(blocks(&turned, &grid(), false).unwrap()[0].columns, 2);
+    }
+
+    #[test]
+    fn a_lattice_on_the_grid_is_an_array_at_any_angle_of_its_cell() {
+        let frame = Transform::rotation(-30.0);
+        let step = |x: f64, y: f64| frame.apply_vector(Point::new(x, y));
+        let array = Array { columns: 4000, rows: 2000, column_step: step(2.0, 0.0), row_step: step(0.0, 3.0) };
+        let reference = Reference::new(dot(), Transform::rotation(30.0)).with_array(array);
+        assert_eq!(blocks(&reference, &grid(), true).unwrap().len(), 1);
     }
 
     #[test]
     fn lattices_beyond_the_limits_of_a_record_are_cut() {
-        let blocks = blocks(&dot().array(40_000, 70_000, (0.002, 0.002)), &grid()).unwrap();
+        let blocks = blocks(&dot().array(40_000, 70_000, (0.002, 0.002)), &grid(), true).unwrap();
         assert_eq!(blocks.iter().map(|b| u64::from(b.columns) * u64::from(b.rows)).sum::<u64>(), 40_000 * 70_000);
         assert_eq!(blocks.len(), 6);
     }
@@ -244,8 +299,8 @@ mod tests {
     #[test]
     fn what_cannot_be_written_is_an_error_and_not_a_hang() {
         let far = dot().array(2, 2, (3e6, 1.0));
-        assert!(matches!(blocks(&far, &grid()), Err(LatticeError::OutOfRange(_))));
+        assert!(matches!(blocks(&far, &grid(), true), Err(LatticeError::OutOfRange(_))));
         let huge = dot().array(5000, 5000, (0.3333, 0.3333));
-        assert_eq!(blocks(&huge, &grid()), Err(LatticeError::TooManyBlocks));
+        assert_eq!(blocks(&huge, &grid(), true), Err(LatticeError::TooManyBlocks));
     }
 }
