@@ -205,7 +205,8 @@ fn temporary_in(folder: &Path) -> std::io::Result<NamedTempFile> {
         use std::os::unix::fs::PermissionsExt;
         builder.permissions(fs::Permissions::from_mode(0o666));
     }
-    builder.tempfile_in(folder)
+    // The error without the name of the temporary file, which says nothing.
+    builder.tempfile_in(folder).map_err(|error| std::io::Error::from(error.kind()))
 }
 
 /// Removes what killed processes left in a folder, at the first write into it. A batch of files lists its folder once.

@@ -246,7 +246,7 @@ impl std::fmt::Display for Item {
             Self::Polygon { index, layer } => write!(f, "polygon {index} on {layer}"),
             Self::Path { index, layer } => write!(f, "path {index} on {layer}"),
             Self::Reference { index, child } => write!(f, "reference {index} to {child:?}"),
-            Self::Label { index, text } => write!(f, "label {index} {text:?}"),
+            Self::Label { index, text } => write!(f, "label {index} {:?}", shortened(text)),
         }
     }
 }
@@ -270,6 +270,13 @@ impl IoError {
     pub(crate) fn option(option: &'static str, value: impl std::fmt::Display, rule: impl Into<Box<str>>) -> Self {
         Self::Option { option, value: value.to_string().into(), rule: rule.into() }
     }
+}
+
+/// The beginning of a text, as much as an error shows.
+fn shortened(text: &str) -> String {
+    const SHOWN: usize = 40;
+    let start: String = text.chars().take(SHOWN).collect();
+    if start.len() < text.len() { start + "…" } else { start }
 }
 
 /// A real number as people write it: without an exponent where that is short.

@@ -186,8 +186,9 @@ fn element(
 
 /// What precedes the cells: name, dates, units. Other libraries, fonts, masks and the like do not change the drawing.
 fn head(records: &mut Records<'_>) -> Result<Layout, FormatError> {
+    let start = records.rest();
     let first = records.next().ok().filter(|record| record.kind == kind::HEADER);
-    first.ok_or_else(|| FormatError::new(0, "it is not a GDSII file, which begins with a HEADER record"))?;
+    first.ok_or_else(|| FormatError::new(0, other_format(start)))?;
     let (mut name, mut modified, mut problems) = (String::new(), None, Problems::default());
     loop {
         let record = records.next()?;
@@ -195,8 +196,9 @@ fn head(records: &mut Records<'_>) -> Result<Layout, FormatError> {
             kind::LIBNAME => name = text_of(&record, "", &mut problems),
             kind::BGNLIB => modified = date(record.content),
             kind::UNITS => {
-                let (grid, user_unit) = units(&record)?;
-                return Ok(Layout { name, user_unit, modified, problems, ..Layout::new(grid) });
+                let (grid, user_unit, stated) = units(&record)?;
+                let gds_units = Some(stated);
+                return Ok(Layout { name, user_unit, gds_units, modified, problems, ..Layout::new(grid) });
             }
             kind::BGNSTR | kind::ENDLIB => {
                 return Err(FormatError::new(record.offset, "the library states no units"));
@@ -206,8 +208,17 @@ fn head(records: &mut Records<'_>) -> Result<Layout, FormatError> {
     }
 }
 
-/// The grid, and the user unit (µm).
-fn units(record: &Record<'_>) -> Result<(Grid, f64), FormatError> {
+/// What a file is that is not GDSII.
+fn other_format(start: &[u8]) -> &'static str {
+    match start {
+        [0x1f, 0x8b, ..] => "it is a gzip file and not GDSII",
+        _ if start.starts_with(b"%SEMI-OASIS") => "it is an OASIS file and not GDSII",
+        _ => "it is not a GDSII file, which begins with a HEADER record",
+    }
+}
+
+/// The grid, the user unit (µm), and the two numbers that state them.
+fn units(record: &Record<'_>) -> Result<(Grid, f64, [f64; 2]), FormatError> {
     let bad = |problem: String| FormatError::new(record.offset, problem);
     let (halves, []) = record.content.as_chunks::<8>() else {
         return Err(bad(format!("UNITS holds {} bytes instead of 16", record.content.len())));
@@ -221,7 +232,7 @@ fn units(record: &Record<'_>) -> Result<(Grid, f64), FormatError> {
         return Err(bad(format!("the database unit is {} m and {} user units", real(in_meters), real(in_user_units))));
     }
     let grid = Grid::new(step).map_err(|error| bad(error.to_string()))?;
-    Ok((grid, grid.um(1) / in_user_units))
+    Ok((grid, grid.um(1) / in_user_units, [in_user_units, in_meters]))
 }
 
 /// The first of the two dates, if it is one. Old files count years from 1900.

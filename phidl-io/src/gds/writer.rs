@@ -142,7 +142,8 @@ pub fn write_layout(layout: &Layout, path: impl AsRef<FilePath>) -> Result<u64> 
 }
 
 fn encode(layout: &Layout, put: impl FnMut(&[u8]) -> Result<()>) -> Result<u64> {
-    let units = super::options::units(&layout.grid, layout.user_unit);
+    let made = || super::options::units(&layout.grid, layout.user_unit);
+    let units = layout.gds_units.map_or_else(made, |[in_user_units, in_meters]| (in_user_units, in_meters));
     if !is_representable(units.0) || !is_representable(units.1) {
         let value = format!("{} µm on a grid of {} µm", real(layout.user_unit), real(layout.grid.step()));
         return Err(IoError::option("user_unit", value, "be a positive length that the format can state"));
@@ -189,10 +190,11 @@ fn check(cell: &Cell, names: &CellNames) -> Result<()> {
         }
     }
     for (index, placement) in cell.placements.iter().enumerate() {
-        if placement.lattice.as_deref().is_some_and(|lattice| !fits(placement, lattice)) {
+        if let Some(lattice) = placement.lattice.as_deref().filter(|lattice| !fits(placement, lattice)) {
+            let value = format!("of {} columns and {} rows", lattice.columns, lattice.rows);
             let child = names.name(placement.child).to_owned();
-            let rule = "have at most 65535 columns and rows, and ends within 32 bits".to_owned();
-            return refused(Item::Reference { index, child }, "lattice", "too large".to_owned(), rule);
+            let rule = "have at most 65535 of each, and ends within 32 bits".to_owned();
+            return refused(Item::Reference { index, child }, "lattice", value, rule);
         }
     }
     Ok(())

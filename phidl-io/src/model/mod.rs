@@ -48,6 +48,8 @@ pub struct Layout {
     pub grid: Grid,
     /// The unit in which other programs show lengths (µm). Coordinates do not depend on it.
     pub user_unit: f64,
+    /// The two numbers of UNITS as a GDSII file states them, so that they are written as they were read.
+    pub gds_units: Option<[f64; 2]>,
     /// When the library was last modified, as the file states it.
     pub modified: Option<Date>,
     /// The names of all cells, of those that are only referenced as well.
@@ -66,6 +68,7 @@ impl Layout {
             name: String::new(),
             grid,
             user_unit: 1.0,
+            gds_units: None,
             modified: None,
             names: CellNames::default(),
             cells: Vec::new(),

@@ -63,7 +63,11 @@ impl FileLimits {
 
     /// The characters of cell names, for errors.
     pub(crate) fn characters(&self) -> &'static str {
-        if self.strict_characters { "A–Z, a–z, 0–9, _, ? and $" } else { "printable ASCII characters" }
+        if self.strict_characters {
+            "of the characters A–Z, a–z, 0–9, _, ? and $"
+        } else {
+            "printable ASCII characters"
+        }
     }
 
     fn is_name_character(&self, c: char) -> bool {

@@ -59,7 +59,7 @@ pub(crate) fn check(option: &'static str, name: &str, limits: &FileLimits) -> Re
         return Ok(());
     }
     let (longest, characters) = (limits.cell_name, limits.characters());
-    Err(IoError::option(option, format_args!("{name:?}"), format!("be 1 to {longest} characters: {characters}")))
+    Err(IoError::option(option, format_args!("{name:?}"), format!("be 1 to {longest} {characters}")))
 }
 
 /// The cells that have one name, made legal, by index.

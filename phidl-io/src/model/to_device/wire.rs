@@ -2,8 +2,8 @@
 //!
 //! Devices have polygons and no paths, so a path becomes the outline that KLayout draws: both edges half the width from the
 //! centerline. The outer side of a turn of up to 90° is a miter; at sharper turns both edges run on by half the width and
-//! their ends are joined. The inner side is where the two edges meet. Round ends are regular polygons within half a grid
-//! step of the circle, with at most 512 chords: more corners than a reader expects help nobody at any radius.
+//! their ends are joined. The inner side is where the two edges meet. Round ends are regular polygons within a tenth of a grid
+//! step of the circle before rounding, with at most 512 chords: 50 bytes of a file must not ask for megabytes.
 //!
 //! Every corner is a point of the centerline plus a rounded offset, so equal paths have equal outlines wherever they are,
 //! and an outline is on the grid. Where the inner edges do not meet on their segments, or the path runs over itself, one
@@ -18,6 +18,9 @@ use crate::model::{Path, PathEnd};
 
 /// A point in grid steps. Outlines of paths may reach beyond 32 bits.
 pub(super) type Step = [i64; 2];
+
+/// The largest distance of a chord from a round end (grid steps).
+const TOLERANCE: f64 = 0.1;
 
 /// The most chords of a half circle.
 const MOST_CHORDS: usize = 512;
@@ -194,7 +197,7 @@ fn cap(at: Point, outward: Point, half: f64, end: PathEnd) -> Vec<Step> {
         let tip = outward * extension(end, half);
         return vec![offset(at, tip + right), offset(at, tip - right)];
     }
-    let chords = count::for_tolerance(half, 180.0, 0.5).min(MOST_CHORDS);
+    let chords = count::for_tolerance(half, 180.0, TOLERANCE).min(MOST_CHORDS);
     let from = right.direction();
     (0..=chords).map(|i| offset(at, Point::polar(half, from + 180.0 * i as f64 / chords as f64))).collect()
 }

@@ -203,12 +203,12 @@ mod tests {
         let size = Size::new(0.0, 10.0);
         assert_eq!(
             refused(FigureOptions { size, ..FigureOptions::default() }),
-            "option size.width is 0, but it must be greater than 0 and finite"
+            "the option size.width is 0, but it must be greater than 0 and finite"
         );
         for margin in [-1.0, f64::NAN, 1e9] {
-            assert!(refused(FigureOptions { margin, ..FigureOptions::default() }).starts_with("option margin is "));
+            assert!(refused(FigureOptions { margin, ..FigureOptions::default() }).starts_with("the option margin is "));
         }
         let huge = FigureOptions { size: Size::new(1e300, 1e300), ..FigureOptions::default() };
-        assert!(refused(huge).starts_with("option size.width"));
+        assert!(refused(huge).starts_with("the option size.width"));
     }
 }
