@@ -43,7 +43,7 @@ impl std::fmt::Display for LayerFile {
 impl LayerFile {
     /// The cell of the file that the layer is read from: a named one, or the only one at the top.
     pub(crate) fn read(&self, cell: Option<&str>) -> anyhow::Result<Device> {
-        let import = gds::read(&self.path, &ReadOptions { cellname: cell.map(Into::into) });
+        let import = gds::read(&self.path, &ReadOptions { cellname: cell.map(Into::into), ..ReadOptions::default() });
         let import = import.map_err(|error| anyhow!(error.report()))?;
         for problem in &import.problems {
             println!("{}: {problem}", self.path.display());
@@ -85,7 +85,7 @@ impl LayerFile {
 
 /// Writes a device to a file with this grid (µm).
 pub(crate) fn write(device: &Device, path: &Path, precision: f64) -> anyhow::Result<()> {
-    let options = GdsOptions { grid: precision, ..GdsOptions::default() };
+    let options = GdsOptions { grid: precision, allow_empty: true, ..GdsOptions::default() };
     gds::write(device, path, &options).map(drop).map_err(|error| anyhow!(error.report()))
 }
 

@@ -49,7 +49,7 @@ fn fails(folder: &Path, line: &str) -> String {
 }
 
 fn read(folder: &Path, file: &str, cell: Option<&str>) -> Device {
-    let options = ReadOptions { cellname: cell.map(Into::into) };
+    let options = ReadOptions { cellname: cell.map(Into::into), ..ReadOptions::default() };
     gds::read(folder.join(file), &options).unwrap().device
 }
 
