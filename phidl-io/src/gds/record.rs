@@ -120,7 +120,7 @@ impl<'a> Records<'a> {
             return Err(FormatError::new(offset, "the file ends inside the library"));
         };
         let length = usize::from(u16::from_be_bytes([high, low]));
-        if length < 4 || length % 2 != 0 {
+        if length < 4 || !length.is_multiple_of(2) {
             let problem = format!("a record states a length of {length} bytes, which is not an even number from 4");
             return Err(FormatError::new(offset, problem));
         }

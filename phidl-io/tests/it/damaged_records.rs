@@ -45,7 +45,7 @@ fn damage(records: &mut Vec<Vec<u8>>, index: usize, how: u8, with: u8) {
         _ => record[4..].fill(with),
     }
     for record in records {
-        if record.len() % 2 == 1 {
+        if !record.len().is_multiple_of(2) {
             record.push(0);
         }
         let length = u16::try_from(record.len()).expect("records of the sample are short");

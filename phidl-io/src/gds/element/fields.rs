@@ -110,7 +110,7 @@ impl<'a> Fields<'a> {
 
     /// Adds corners. Some writers continue long outlines in further records.
     fn corners_of(&mut self, record: &Record<'a>) -> Result<(), FormatError> {
-        if record.content.len() % CORNER != 0 {
+        if !record.content.len().is_multiple_of(CORNER) {
             return Err(FormatError::new(record.offset, "its coordinates are not pairs of 32-bit numbers"));
         }
         match &mut self.xy {
