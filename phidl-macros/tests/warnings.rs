@@ -89,15 +89,15 @@ fn never_called(
     #[default(true)] b: bool,
     #[default(true)] c: bool,
     #[default(true)] d: bool,
-    #[default(library::DocumentedParams::default())] recipe: Partial,
+    #[default(library::DocumentedParams::default())] partial: Partial,
     #[default(1.5)] mut length: f64,
     #[allow(unused_variables, reason = "carried over")]
     #[default('x')]
     letter: char,
 ) -> Result<Device> {
     length += f64::from(u8::from(a && b && c && d));
-    let told = (text, number, lines, points, counts, ending, inner, recipe, length);
-    Device::builder(format!("{told:?}")).build()
+    let all = (text, number, lines, points, counts, ending, inner, partial, length);
+    Device::builder(format!("{all:?}")).build()
 }
 
 #[test]

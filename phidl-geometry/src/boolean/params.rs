@@ -14,8 +14,17 @@ const FEWEST_POINTS: usize = 5;
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct DeviceList(pub Vec<Device>);
 
+/// The most points of an operand of a generator. The functions of phidl-boolean take what the machine holds.
+const MOST_POINTS: usize = 100_000_000;
+
 impl Shapes for DeviceList {
+    /// Refuses more than [`MOST_POINTS`] before memory is taken for them.
     fn add_to(&self, cell: &mut DeviceBuilder) -> Result<()> {
+        let mut points = 0_usize;
+        for device in &self.0 {
+            points = points.saturating_add(device.flat_counts()?.1);
+        }
+        Check::new(cell.name()).at_most("number of points, drawn flat,", points, MOST_POINTS)?;
         self.0.add_to(cell)
     }
 }

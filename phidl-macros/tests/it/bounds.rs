@@ -1,4 +1,4 @@
-//! Bounds and rules: what is refused, in which words, and that the body does not run.
+//! Bounds and rules: what is refused, with which message, and that the body does not run.
 
 use phidl_core::prelude::*;
 use phidl_macros::device;

@@ -82,7 +82,7 @@ fn eight_threads_that_ask_at_once_get_one_cell() {
         let asking: Vec<_> = (0..8).map(|_| scope.spawn(ask)).collect();
         asking.into_iter().map(|thread| thread.join().unwrap()).collect::<Vec<_>>()
     });
-    assert!(cells.iter().all(|cell| cell.same_cell(&cells[0])), "whoever drew it, the first one is kept for all");
+    assert!(cells.iter().all(|cell| cell.same_cell(&cells[0])), "the first one is kept for all");
     let drawn = runs(&CROWD);
     assert!(crowd(7).unwrap().same_cell(&cells[0]));
     assert_eq!(runs(&CROWD), drawn, "from now on it is in the cache");
@@ -137,11 +137,11 @@ fn generators_of_the_same_name_do_not_share_cells() {
     assert_eq!(runs(&TWIN), 2);
 }
 
-count!(ANEW);
+count!(UNCACHED);
 
 #[device(no_cache)]
-fn anew(#[default(1)] size: f64) -> Result<Device> {
-    square(&ANEW, size)
+fn uncached(#[default(1)] size: f64) -> Result<Device> {
+    square(&UNCACHED, size)
 }
 
 count!(AROUND);
@@ -153,8 +153,8 @@ fn around(#[default(1)] size: f64) -> Result<Device> {
 
 #[test]
 fn the_cache_can_be_left_out_by_the_generator_and_by_the_caller() {
-    assert!(!anew(1).unwrap().same_cell(&anew(1).unwrap()));
-    assert_eq!(runs(&ANEW), 2);
+    assert!(!uncached(1).unwrap().same_cell(&uncached(1).unwrap()));
+    assert_eq!(runs(&UNCACHED), 2);
     let kept = around(1).unwrap();
     let fresh = cache::bypass(|| AroundParams::default().build().unwrap());
     assert!(!fresh.same_cell(&kept) && fresh == kept);

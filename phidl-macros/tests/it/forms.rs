@@ -82,7 +82,7 @@ fn collections(
 }
 
 #[test]
-fn lists_are_given_as_anything_that_can_be_walked_over() {
+fn lists_are_given_as_any_iterator() {
     let pad = Device::builder("pad").build().unwrap();
     let cell = collections([1, 2], 3..5, [(0, 1)], [[1, 2], [3, 4]], [("N", 1)], [&pad]).unwrap();
     assert_eq!(recorded(&cell), ["[1, 2]", "[3, 4]", "[[0, 1]]", "[[1, 2], [3, 4]]", "{N: 1}", "[pad]"]);
@@ -113,7 +113,7 @@ fn defaults(
 #[test]
 fn defaults_are_converted_like_arguments() {
     let cell = DefaultsParams::default().build().unwrap();
-    let told = recorded(&cell);
+    let recorded_values = recorded(&cell);
     let expected = [
         "10",
         "-0.5",
@@ -128,8 +128,8 @@ fn defaults_are_converted_like_arguments() {
         "\"straight\"",
         "{layers: [1, 2]}",
     ];
-    assert_eq!(told[..12], expected);
-    assert!(told[12].starts_with("{device: \"numbers\", params: {"), "{}", told[12]);
+    assert_eq!(recorded_values[..12], expected);
+    assert!(recorded_values[12].starts_with("{device: \"numbers\", params: {"), "{}", recorded_values[12]);
 }
 
 #[device]

@@ -34,12 +34,12 @@ fn awkward(
 
 #[test]
 fn parameters_may_have_any_name() {
-    let plain = AwkwardParams::default();
-    assert_eq!(plain.build().unwrap().name(), "awkward_78");
-    assert_eq!(plain.clone().r#type(12).build().unwrap().name(), "awkward_79");
-    let names: Vec<_> = plain.record().iter().map(|(name, _)| *name).collect();
+    let defaults = AwkwardParams::default();
+    assert_eq!(defaults.build().unwrap().name(), "awkward_78");
+    assert_eq!(defaults.clone().r#type(12).build().unwrap().name(), "awkward_79");
+    let names: Vec<_> = defaults.record().iter().map(|(name, _)| *name).collect();
     assert!(names.contains(&"type"), "{names:?}");
-    assert_eq!(AwkwardParams { build: 3.0, ..plain }.build().unwrap().name(), "awkward_79");
+    assert_eq!(AwkwardParams { build: 3.0, ..defaults }.build().unwrap().name(), "awkward_79");
 }
 
 #[test]

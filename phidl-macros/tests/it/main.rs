@@ -1,10 +1,10 @@
-//! Generators as users write them: forms, caching, circles, bounds, registry, sweeps.
+//! Generators as users write them: forms, caching, cycles, bounds, registry, sweeps.
 
 mod bounds;
 mod caching;
-mod circles;
+mod cycles;
 mod forms;
 mod hygiene;
 mod parallel;
-mod recipes;
+mod partials;
 mod registered;

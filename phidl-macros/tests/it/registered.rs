@@ -75,10 +75,10 @@ fn an_entry_tells_docs_kinds_units_bounds_and_defaults() {
     assert_eq!((entry.example_source, entry.picture), (r#"LetterParams::new("x").thickness(3)"#, None));
     assert_eq!((entry.module, entry.version), (module_path!(), env!("CARGO_PKG_VERSION")));
     let params = entry.params();
-    let told: Vec<_> = params.iter().map(|p| (p.name, p.kind.to_string(), p.default.clone())).collect();
+    let listed: Vec<_> = params.iter().map(|p| (p.name, p.kind.to_string(), p.default.clone())).collect();
     let zero = Some(Value::from(0));
     assert_eq!(
-        told,
+        listed,
         [
             ("text", "text".to_owned(), None),
             ("Lk_per_sq", "number".to_owned(), Some(Value::from(1.0))),
@@ -184,7 +184,7 @@ mod b {
 }
 
 #[test]
-fn generators_of_the_same_name_are_told_apart_by_their_module() {
+fn generators_of_the_same_name_are_distinguished_by_their_module() {
     let error = registry::find("ambiguous").unwrap_err().to_string();
     let (a, b) = (concat!(module_path!(), "::a::ambiguous"), concat!(module_path!(), "::b::ambiguous"));
     assert_eq!(
@@ -192,7 +192,7 @@ fn generators_of_the_same_name_are_told_apart_by_their_module() {
         format!("registry: several generators are called \"ambiguous\": {a}, {b}; name one with its path")
     );
     assert_eq!(registry::find(b).unwrap().params()[0].name, "b");
-    assert!(registry::find("no_such_thing").unwrap_err().to_string().contains("known are "));
+    assert!(registry::find("no_such_generator").unwrap_err().to_string().contains("known are "));
 }
 
 #[test]

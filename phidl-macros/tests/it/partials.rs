@@ -26,16 +26,16 @@ fn pillar(
 #[device]
 fn row(what: Partial, values: BTreeMap<String, Vec<Value>>) -> Result<Device> {
     let mut d = Device::builder("row");
-    let mut recipes = Vec::new();
+    let mut partials = Vec::new();
     for (name, values) in &values {
         for value in values {
-            let recipe = what.with([(name.as_str(), value.clone())])?;
-            recipe.record()?; // all of them, before anything is drawn
-            recipes.push(recipe);
+            let partial = what.with([(name.as_str(), value.clone())])?;
+            partial.record()?; // all of them, before anything is drawn
+            partials.push(partial);
         }
     }
-    for recipe in recipes {
-        d.add(recipe.build()?);
+    for partial in partials {
+        d.add(partial.build()?);
     }
     d.build()
 }
