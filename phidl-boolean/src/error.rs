@@ -63,7 +63,20 @@ pub enum BooleanError {
         /// Largest allowed number.
         limit: usize,
     },
-    /// The threads asked for could not be started.
+    /// The operation would need more memory than it may use.
+    #[error(
+        "{edges} edges with {crossings} crossings or more need more memory than the limit of {} MB; raise `memory_limit` \
+         or divide the shapes", limit / 1_000_000
+    )]
+    Memory {
+        /// Number of edges of the operands.
+        edges: usize,
+        /// Number of crossings that were found before the operation stopped.
+        crossings: usize,
+        /// The limit (bytes).
+        limit: usize,
+    },
+    /// The requested threads could not be started.
     #[error("cannot start {threads} threads: {reason}")]
     Threads {
         /// Number of threads asked for.

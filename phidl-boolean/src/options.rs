@@ -17,6 +17,9 @@ const FEWEST_STRIP_VERTICES: usize = 1_000;
 /// Most strips of small operations; enough to keep all threads busy.
 const ENOUGH_STRIPS: usize = 16;
 
+/// Default limit of memory (bytes).
+const DEFAULT_MEMORY: usize = 16_000_000_000;
+
 /// How many strips the plane is divided into for the threads. The result does not depend on it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum StripCount {
@@ -52,15 +55,24 @@ impl StripCount {
 /// use phidl_boolean::RunOptions;
 /// let one_thread = RunOptions { threads: Some(1), ..RunOptions::default() };
 /// ```
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy)]
 pub struct RunOptions<'a> {
     /// How many strips the plane is divided into.
     pub strips: StripCount,
     /// Number of threads, more than zero; `None` means the current rayon pool (one thread per core). A pool of a given
     /// number of threads is kept until another number is requested.
     pub threads: Option<usize>,
+    /// The most memory (bytes) that the lists of an operation may need, as estimated from the edges and crossings; beyond
+    /// it, the operation is refused or stopped with [`BooleanError::Memory`]. The default is 16 GB.
+    pub memory_limit: usize,
     /// Receives progress and can cancel.
     pub monitor: Option<&'a ProgressMonitor>,
+}
+
+impl Default for RunOptions<'_> {
+    fn default() -> Self {
+        Self { strips: StripCount::Automatic, threads: None, memory_limit: DEFAULT_MEMORY, monitor: None }
+    }
 }
 
 impl fmt::Debug for RunOptions<'_> {
@@ -68,6 +80,7 @@ impl fmt::Debug for RunOptions<'_> {
         f.debug_struct("RunOptions")
             .field("strips", &self.strips)
             .field("threads", &self.threads)
+            .field("memory_limit", &self.memory_limit)
             .field("monitored", &self.monitor.is_some())
             .finish()
     }

@@ -45,7 +45,7 @@ impl Region {
 /// - coordinates: the engine takes points within the range only, and new ones are grid points between them (an offset
 ///   that leaves the range is refused);
 /// - size: results are limited to half of what one operation takes, so that any two regions fit together;
-/// - options: the default ones are valid, start no threads and have no monitor.
+/// - options: those used here are valid, start no threads, limit no memory and have no monitor.
 macro_rules! operator {
     ($trait:ident, $method:ident, $operation:expr, $doc:literal) => {
         impl $trait for &Region {
@@ -53,8 +53,8 @@ macro_rules! operator {
 
             #[doc = $doc]
             fn $method(self, other: Self) -> Region {
-                self.combine(other, $operation, &RunOptions::default())
-                    .expect("invariant: regions are in range and small enough, and the default options are valid")
+                self.combine(other, $operation, &RunOptions { memory_limit: usize::MAX, ..RunOptions::default() })
+                    .expect("invariant: regions are in range and small enough, and the options are valid")
             }
         }
 

@@ -32,7 +32,7 @@ pub(crate) fn run(flags: &BooleanFlags) -> anyhow::Result<()> {
 /// How to run what the flags ask for.
 pub(crate) fn options<'a>(flags: &RunFlags, monitor: &'a ProgressMonitor) -> RunOptions<'a> {
     let strips = flags.divisions.map_or_else(StripCount::default, StripCount::Fixed);
-    RunOptions { strips, threads: flags.threads, monitor: Some(monitor) }
+    RunOptions { strips, threads: flags.threads, monitor: Some(monitor), ..RunOptions::default() }
 }
 
 pub(crate) fn print_result(region: &Region, out: &impl std::fmt::Display) {

@@ -34,6 +34,7 @@ const FINEST: f64 = 1e-6;
 pub fn merged_area(shapes: &(impl Shapes + ?Sized)) -> Result<f64, BooleanError> {
     in_function("merged_area", || {
         let operand = Operand::new("shapes", shapes)?;
+        operand.check_size(&RunOptions::default())?;
         let grid = finest_grid(operand.bbox())?;
         area(&operand.contours(&grid)?, &grid)
     })
@@ -46,6 +47,7 @@ pub fn merged_area(shapes: &(impl Shapes + ?Sized)) -> Result<f64, BooleanError>
 pub fn merged_areas(shapes: &(impl Shapes + ?Sized)) -> Result<Vec<(Layer, f64)>, BooleanError> {
     in_function("merged_areas", || {
         let operand = Operand::new("shapes", shapes)?;
+        operand.check_size(&RunOptions::default())?;
         let grid = finest_grid(operand.bbox())?;
         let measured = |layer| Ok((layer, area(&operand.contours_on(&grid, layer)?, &grid)?));
         operand.layers().into_iter().map(measured).collect()

@@ -24,7 +24,9 @@ impl Region {
     /// ```
     pub fn of(shapes: &(impl Shapes + ?Sized), options: &Options) -> Result<Self, BooleanError> {
         options.require_flat("a region has no cells")?;
-        let contours = Operand::new("shapes", shapes)?.contours(&options.grid()?)?;
+        let operand = Operand::new("shapes", shapes)?;
+        operand.check_size(&options.run)?;
+        let contours = operand.contours(&options.grid()?)?;
         Self::merged(&contours, &options.run)
     }
 

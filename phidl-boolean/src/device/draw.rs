@@ -39,6 +39,8 @@ pub(super) fn drawn_by_layer(
         match options.hierarchy {
             Hierarchy::Flatten => {
                 let grid = options.grid()?;
+                a.check_size(&options.run)?;
+                b.check_size(&options.run)?;
                 let contours = [a.contours_on(&grid, layer)?, b.contours_on(&grid, layer)?];
                 operation.region(&contours, &grid, &options.run)?.draw(&mut cell, &layer.into(), options)?;
             }
@@ -63,6 +65,8 @@ pub(super) fn draw(
         Hierarchy::Flatten => {
             let grid = options.grid()?;
             let [a, b] = operands;
+            a.check_size(&options.run)?;
+            b.check_size(&options.run)?;
             let contours = [a.contours(&grid)?, b.contours(&grid)?];
             operation.region(&contours, &grid, &options.run)?.draw(cell, layers, options)
         }

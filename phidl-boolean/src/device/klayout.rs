@@ -53,7 +53,7 @@ impl<'a> KLayoutOptions<'a> {
             None => StripCount::default(),
             Some((x, y)) => StripCount::Fixed(self.tiles(x, y, shapes)?),
         };
-        let run = RunOptions { strips, threads: self.num_cpu, monitor: self.monitor };
+        let run = RunOptions { strips, threads: self.num_cpu, monitor: self.monitor, ..RunOptions::default() };
         Ok(Options { precision: self.precision, max_points: None, hierarchy: Hierarchy::Flatten, run })
     }
 

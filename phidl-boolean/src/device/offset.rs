@@ -130,6 +130,7 @@ pub fn invert(
 fn inverse(shapes: &(impl Shapes + ?Sized), margin: Margin, options: &Options) -> Result<Region, BooleanError> {
     let grid = options.grid()?;
     let operand = Operand::new("shapes", shapes)?;
+    operand.check_size(&options.run)?;
     for value in [margin.x, margin.y] {
         if !value.is_finite() {
             return Err(BooleanError::Option { option: "margin", value, rule: "finite" });

@@ -5,13 +5,17 @@ use phidl_core::layer::Layer;
 use phidl_core::num::grid::Grid;
 use phidl_core::place::Bounded;
 use phidl_core::port::Port;
-use phidl_core::scene::{Device, LayerTarget};
+use phidl_core::scene::{Device, LayerTarget, Reference};
 
 use super::Shapes;
 use crate::{
     error::BooleanError,
     grid::{Contours, snap_device},
+    options::RunOptions,
 };
+
+/// Bytes per point of the shapes, before an operation begins.
+const BYTES_PER_POINT: usize = 32;
 
 /// The shapes of one operand.
 pub(super) struct Operand {
@@ -24,6 +28,23 @@ impl Operand {
         let mut cell = Device::builder(name);
         shapes.add_to(&mut cell)?;
         Ok(Self { cell: cell.build()? })
+    }
+
+    /// Refuses more flat points than the memory of an operation can hold, before they are gathered.
+    ///
+    /// # Errors
+    /// [`BooleanError::Memory`] in the largest placed cell, or the error of a count that is too large for any memory.
+    pub(super) fn check_size(&self, run: &RunOptions) -> Result<(), BooleanError> {
+        let (_, points) = self.cell.flat_counts()?;
+        if points.saturating_mul(BYTES_PER_POINT) <= run.memory_limit {
+            return Ok(());
+        }
+        let source = BooleanError::Memory { edges: points, crossings: 0, limit: run.memory_limit };
+        let size = |reference: &&Reference| reference.device().flat_counts().map_or(usize::MAX, |(_, points)| points);
+        Err(match self.cell.references().iter().max_by_key(size) {
+            Some(largest) => BooleanError::InCell { cell: largest.device().name().into(), source: Box::new(source) },
+            None => source,
+        })
     }
 
     /// All shapes, rounded to the grid.

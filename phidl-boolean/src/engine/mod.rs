@@ -41,6 +41,7 @@
 //! snap differently, so rare pairs do not match); an off-the-shelf sweep for each tile (`i_overlay` rounds crossings in
 //! passes that depend on the set of edges it receives; it serves the tests as an independent oracle).
 
+mod budget;
 mod input;
 mod isolated;
 mod predicates;
@@ -64,6 +65,7 @@ use crate::{
     progress::{Progress, ProgressMonitor},
     region::Region,
 };
+use budget::Budget;
 pub(crate) use input::{Operand, Rule};
 use isolated::IsolatedPolygons;
 use segment_set::{MAX_SEGMENTS, SegmentSet};
@@ -97,7 +99,8 @@ fn run(operands: [Operand; 2], rule: Rule, options: &RunOptions) -> Result<Regio
     let isolated = IsolatedPolygons::find(&operands);
     let contours: usize = operands.iter().map(|operand| operand.contours().len()).sum();
     if 2 * isolated.len() < contours && rectilinear::is_rectilinear(&operands) {
-        return rectilinear::resolve(&operands, rule, options.monitor);
+        let points = operands.iter().map(|operand| operand.contours().point_count()).sum();
+        return rectilinear::resolve(&operands, rule, &Budget::new(points, options)?);
     }
     run_around(&isolated, operands, rule, options)
 }
@@ -111,9 +114,10 @@ fn run_around(
 ) -> Result<Region, BooleanError> {
     let segments = SegmentSet::new(&operands, |contour| isolated.contains(contour))?;
     let plan = StripPlan::new(&segments, options.strips);
-    let jobs = StripJobs::new(options.monitor, 2 * plan.len());
+    let budget = Budget::new(segments.len(), options)?;
+    let jobs = StripJobs::new(options.monitor, &budget, 2 * plan.len());
 
-    let snapped = jobs.each(plan.len(), |strip| snap_strip(&segments, &plan, strip))?;
+    let snapped = jobs.each(plan.len(), |strip| snap_strip(&segments, &plan, strip, &budget))?;
     let chains = SnapChains::new(&segments, &plan, snapped);
     let filled = FilledContours::fill(&chains);
     let spanning = SpanningSegments::join(&chains, &filled);
@@ -125,19 +129,20 @@ fn run_around(
         chains.within(strip, Kind::Ordinary, |_, segment| inside.push(segment));
         sweep_strip(&inside, &spanning, strip, columns.1, rule, points)
     })?;
-    Ok(trace(&boundary, spanning.len(), isolated, rule))
+    trace(&boundary, spanning.len(), isolated, rule, &budget)
 }
 
 /// Runs the strips of a stage in parallel, reports progress and stops when cancelled.
 struct StripJobs<'a> {
     monitor: Option<&'a ProgressMonitor>,
+    budget: &'a Budget<'a>,
     done: AtomicUsize,
     total: usize,
 }
 
 impl<'a> StripJobs<'a> {
-    fn new(monitor: Option<&'a ProgressMonitor>, total: usize) -> Self {
-        Self { monitor, done: AtomicUsize::new(0), total }
+    fn new(monitor: Option<&'a ProgressMonitor>, budget: &'a Budget<'a>, total: usize) -> Self {
+        Self { monitor, budget, done: AtomicUsize::new(0), total }
     }
 
     /// Results are in strip order, for any assignment to threads.
@@ -146,8 +151,9 @@ impl<'a> StripJobs<'a> {
             .into_par_iter()
             .with_max_len(1)
             .map(|strip| {
-                ProgressMonitor::check(self.monitor)?;
+                self.budget.check()?;
                 let result = job(strip);
+                self.budget.check()?;
                 let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
                 if let Some(monitor) = self.monitor {
                     monitor.report(Progress { done, total: self.total });
@@ -249,7 +255,7 @@ mod tests {
                     let rule = Rule { operation, fill };
                     prop_assert!(rectilinear::is_rectilinear(&operands));
                     let general = run_around(&IsolatedPolygons::none(&operands), operands, rule, &options).unwrap();
-                    prop_assert_eq!(rectilinear::resolve(&operands, rule, None).unwrap(), general);
+                    prop_assert_eq!(rectilinear::resolve(&operands, rule, &Budget::new(0, &options).unwrap()).unwrap(), general);
                 }
             }
         }

@@ -63,9 +63,19 @@ impl SegmentSet {
             are_shapes: operands.map(|operand| matches!(operand, Operand::Shapes(_))),
         };
         let begins = (0u32..).zip(contours.iter().map(|(_, points)| points[0].x));
-        for number in by_x(begins, |a, b| a.cmp(&b)) {
+        let in_order = |a: u32, b: u32| {
+            let ((a_operand, a_points), (b_operand, b_points)) = (contours[a as usize], contours[b as usize]);
+            a_points.cmp(b_points).then(a_operand.cmp(&b_operand)).then(a.cmp(&b))
+        };
+        let mut last = None;
+        for number in by_x(begins, in_order) {
             let (operand, points) = contours[number as usize];
-            set.add(operand, points);
+            // Copies of a shape cover what the shape covers.
+            let is_copy = last == Some((operand, points)) && set.are_shapes[usize::from(operand)];
+            if !is_copy {
+                set.add(operand, points);
+            }
+            last = Some((operand, points));
         }
         set.orient_shapes();
         Ok(set)

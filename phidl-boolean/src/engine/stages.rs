@@ -1,6 +1,7 @@
 //! [`Stages`]: the intermediate results of one operation, for the picture in `docs/stages.md`.
 
 use super::{
+    budget::Budget,
     input::{Operand, Rule},
     isolated::IsolatedPolygons,
     segment_set::SegmentSet,
@@ -13,7 +14,7 @@ use crate::{
     contours::Contours,
     error::BooleanError,
     op::{Fill, Operation},
-    options::StripCount,
+    options::{RunOptions, StripCount},
     point::GridPoint,
     region::Region,
 };
@@ -44,7 +45,8 @@ pub fn record(a: &Contours, b: &Contours, operation: Operation, strips: usize) -
     let isolated = IsolatedPolygons::find(&operands);
     let set = SegmentSet::new(&operands, |contour| isolated.contains(contour))?;
     let plan = StripPlan::new(&set, StripCount::Fixed(strips));
-    let snapped = (0..plan.len()).map(|strip| snap_strip(&set, &plan, strip)).collect();
+    let budget = Budget::new(set.len(), &RunOptions::default())?;
+    let snapped = (0..plan.len()).map(|strip| snap_strip(&set, &plan, strip, &budget)).collect();
     let chains = SnapChains::new(&set, &plan, snapped);
     let filled = FilledContours::fill(&chains);
     let spanning = SpanningSegments::join(&chains, &filled);
@@ -66,6 +68,6 @@ pub fn record(a: &Contours, b: &Contours, operation: Operation, strips: usize) -
         segments: numbers.filter(|segment| !segment.is_empty()).map(|segment| [segment.l, segment.r]).collect(),
         chains: parts,
         boundary: boundary_edges(&swept, spanning.len()),
-        region: trace(&swept, spanning.len(), &isolated, rule),
+        region: trace(&swept, spanning.len(), &isolated, rule, &budget)?,
     })
 }

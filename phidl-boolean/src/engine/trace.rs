@@ -1,12 +1,14 @@
 //! The last stage: boundary edges of all strips are linked to rings, and each hole is assigned to its outer ring.
 
 use super::{
+    budget::Budget,
     input::Rule,
     isolated::IsolatedPolygons,
     sweep::{BoundaryEdges, BoundaryId, SPANNING, Surroundings},
 };
 use crate::{
     contours::Contours,
+    error::BooleanError,
     jobs::both,
     point::{GridPoint, side, signed_area2},
     region::Region,
@@ -14,10 +16,19 @@ use crate::{
 
 const UNKNOWN: u32 = u32::MAX;
 
+/// Boundary edges between two looks at the budget.
+const EDGES_PER_CHECK: u32 = 1 << 16;
+
 /// Assembles the region from the boundary edges of all strips and the isolated polygons that bound it.
-pub(super) fn trace(strips: &[BoundaryEdges], spanning: usize, isolated: &IsolatedPolygons, rule: Rule) -> Region {
+pub(super) fn trace(
+    strips: &[BoundaryEdges],
+    spanning: usize,
+    isolated: &IsolatedPolygons,
+    rule: Rule,
+    budget: &Budget,
+) -> Result<Region, BooleanError> {
     let numbering = EdgeNumbering::new(strips, spanning);
-    let rings = TracedRings::follow(strips, &numbering);
+    let rings = TracedRings::follow(strips, &numbering, budget)?;
     let owners = rings.owners(strips, &numbering);
     let mut assembly = RingAssembly { traced: &rings.contours, isolated, rings: Vec::new() };
     assembly.rings.reserve(owners.len() + isolated.len());
@@ -36,7 +47,7 @@ pub(super) fn trace(strips: &[BoundaryEdges], spanning: usize, isolated: &Isolat
             assembly.rings.push(Ring { number, kind, is_isolated: true });
         }
     }
-    assembly.into_region()
+    Ok(assembly.into_region())
 }
 
 /// The boundary edges of all strips, from start to end.
@@ -186,7 +197,7 @@ struct TracedRings {
 }
 
 impl TracedRings {
-    fn follow(strips: &[BoundaryEdges], numbering: &EdgeNumbering) -> Self {
+    fn follow(strips: &[BoundaryEdges], numbering: &EdgeNumbering, budget: &Budget) -> Result<Self, BooleanError> {
         let (next, from) = both(numbering.total, || numbering.following(strips), || starts(strips, numbering.total));
         let mut rings = Self {
             contours: Contours::with_capacity(0, numbering.total),
@@ -195,11 +206,14 @@ impl TracedRings {
         };
         let mut points = Vec::new();
         for edge in (0u32..).take(numbering.total) {
+            if edge.is_multiple_of(EDGES_PER_CHECK) {
+                budget.check()?;
+            }
             if rings.ring_of[edge as usize] == UNKNOWN {
                 rings.follow_one(edge, &next, &from, &mut points);
             }
         }
-        rings
+        Ok(rings)
     }
 
     /// Traces the ring of its first edge, which touches the leftmost point of the ring.

@@ -90,6 +90,7 @@ fn sentences_of_operations_on_the_grid() {
         grid::snap(&grid::with_step(1e-4).unwrap(), [[(0.0, 1.2e8)]]).unwrap_err(),
         grid::with_step(f64::NAN).unwrap_err(),
         BooleanError::TooLarge { edges: 1 << 31, limit: (1 << 31) - 1 },
+        BooleanError::Memory { edges: 1_000_000, crossings: 200_000_000, limit: 16_000_000_000 },
         BooleanError::Threads { threads: 4, reason: "out of memory".into() },
     ];
     expect![[r#"
@@ -97,6 +98,7 @@ fn sentences_of_operations_on_the_grid() {
         shape 0: coordinate 120000000 µm is not a number within ±2^40 grid steps (±109951162.7776 µm at this precision)
         precision is NaN µm, but it must be finite and greater than zero
         2147483648 edges are too many for one operation; the limit is 2147483647
+        1000000 edges with 200000000 crossings or more need more memory than the limit of 16000 MB; raise `memory_limit` or divide the shapes
         cannot start 4 threads: out of memory"#]]
     .assert_eq(&lines.map(|error| error.to_string()).join("\n"));
 }

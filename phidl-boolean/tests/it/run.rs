@@ -6,11 +6,13 @@ use std::sync::{
 };
 
 use phidl_boolean::{
-    BooleanError, Operation, ProgressMonitor, Region, RunOptions, StripCount,
+    BooleanError, Operation, Options, ProgressMonitor, Region, RunOptions, StripCount,
     grid::{Contours, GridPoint, MAX_COORDINATE, boolean},
+    union,
 };
+use phidl_core::scene::Device;
 
-use crate::support::{confetti, dots};
+use crate::support::{confetti, dots, snapped};
 
 fn shape(points: &[(i64, i64)]) -> Contours {
     [points.iter().copied().map(GridPoint::from).collect::<Vec<_>>()].into_iter().collect()
@@ -53,6 +55,42 @@ fn an_operation_can_be_cancelled_from_its_own_report() {
         RunOptions { monitor: Some(monitor), strips: StripCount::VerticesPerStrip(20), ..RunOptions::default() };
     let result = boolean(&confetti(20, 1), &confetti(20, 2), Operation::Or, &options);
     assert_eq!(result, Err(BooleanError::Cancelled));
+}
+
+#[test]
+fn copies_of_a_shape_are_the_shape() {
+    let one = confetti(5, 1);
+    let mut copies = Contours::new();
+    (0..300).for_each(|_| copies.append(&one));
+    let others = confetti(5, 2);
+    for operation in [Operation::Or, Operation::And, Operation::Not, Operation::Xor] {
+        let run = RunOptions::default();
+        let expected = boolean(&one, &others, operation, &run).unwrap();
+        assert_eq!(boolean(&copies, &others, operation, &run).unwrap(), expected, "{operation:?}");
+    }
+}
+
+#[test]
+fn an_operation_beyond_its_memory_is_refused_before_and_while_it_runs() {
+    let run = |memory_limit| RunOptions { memory_limit, ..RunOptions::default() };
+    let refused = |shapes: &Contours, limit| Region::merged(shapes, &run(limit)).unwrap_err();
+    let scene = confetti(100, 1);
+    assert!(matches!(refused(&scene, 1000), BooleanError::Memory { crossings: 0, .. }));
+    // 2 × 250 bars have 250,000 crossings and few edges.
+    let mut bars = Contours::new();
+    testkit::scenes::crossbar(250, 7.3).iter().for_each(|layer| bars.append(&snapped(layer)));
+    let error = refused(&bars, 5_000_000);
+    assert!(matches!(error, BooleanError::Memory { crossings: 40_000.., .. }), "{error}");
+    assert!(Region::merged(&bars, &run(500_000_000)).is_ok());
+}
+
+#[test]
+fn a_huge_array_is_refused_with_its_cell_before_it_is_flattened() {
+    let mut d = Device::builder("via");
+    d.add_polygon([(0, 0), (2, 0), (2, 2), (0, 2)], 1).unwrap();
+    let vias = d.build().unwrap().array(60_000, 60_000, (5, 5));
+    let error = union(&vias, 1, &Options::default()).unwrap_err().to_string();
+    assert!(error.starts_with("union: in cell via: 14400000000 edges"), "{error}");
 }
 
 #[test]

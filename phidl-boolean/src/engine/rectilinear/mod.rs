@@ -13,19 +13,21 @@ mod status;
 
 use rayon::prelude::*;
 
-use super::input::{Operand, Rule};
+use super::{
+    budget::Budget,
+    input::{Operand, Rule},
+};
 use crate::{
     error::BooleanError,
     op::{Fill, Operation},
     point::GridPoint,
-    progress::ProgressMonitor,
     region::Region,
 };
 use rings::{Corners, NONE};
 use status::{Height, Status};
 
-/// Columns between two looks at the monitor.
-const COLUMNS_PER_CHECK: usize = 256;
+/// Columns between two looks at the budget.
+const COLUMNS_PER_CHECK: usize = 64;
 
 /// Whether all edges of both operands are axis-parallel.
 pub(super) fn is_rectilinear(operands: &[Operand; 2]) -> bool {
@@ -38,22 +40,18 @@ pub(super) fn is_rectilinear(operands: &[Operand; 2]) -> bool {
 /// Runs one operation on rectilinear operands.
 ///
 /// # Errors
-/// Cancelled, or a result that is too large.
-pub(super) fn resolve(
-    operands: &[Operand; 2],
-    rule: Rule,
-    monitor: Option<&ProgressMonitor>,
-) -> Result<Region, BooleanError> {
+/// Cancelled, out of memory, or a result that is too large.
+pub(super) fn resolve(operands: &[Operand; 2], rule: Rule, budget: &Budget) -> Result<Region, BooleanError> {
     let mut jumps = Vec::with_capacity(operands.iter().map(|operand| operand.contours().point_count()).sum());
     for (index, operand) in operands.iter().enumerate() {
         for contour in operand.contours().iter() {
             match operand {
-                Operand::Shapes(_) => add_shape(contour, index, &mut jumps)?,
+                Operand::Shapes(_) => add_shape(contour, index, budget, &mut jumps)?,
                 Operand::Oriented(_) => add_contour(contour, index, 1, &mut jumps),
             }
         }
     }
-    swept(jumps, rule, monitor)
+    swept(jumps, rule, budget)
 }
 
 /// The change of the winding numbers, at a height of a column, from left to right and from below to above.
@@ -65,7 +63,12 @@ struct Jump {
 }
 
 /// A shape covers what it encloses: a rectangle in any direction, other shapes by the non-zero rule.
-fn add_shape(contour: &[GridPoint], operand: usize, jumps: &mut Vec<Jump>) -> Result<(), BooleanError> {
+fn add_shape(
+    contour: &[GridPoint],
+    operand: usize,
+    budget: &Budget,
+    jumps: &mut Vec<Jump>,
+) -> Result<(), BooleanError> {
     if let &[a, b, c, d] = contour
         && ((a.y == b.y && b.x == c.x && c.y == d.y && d.x == a.x)
             || (a.x == b.x && b.y == c.y && c.x == d.x && d.y == a.y))
@@ -76,7 +79,7 @@ fn add_shape(contour: &[GridPoint], operand: usize, jumps: &mut Vec<Jump>) -> Re
     }
     let mut own = Vec::with_capacity(contour.len());
     add_contour(contour, 0, 1, &mut own);
-    let filled = swept(own, Rule { operation: Operation::Or, fill: Fill::NonZero }, None)?;
+    let filled = swept(own, Rule { operation: Operation::Or, fill: Fill::NonZero }, budget)?;
     filled.contours().iter().for_each(|ring| add_contour(ring, operand, 1, jumps));
     Ok(())
 }
@@ -96,13 +99,15 @@ fn edges(contour: &[GridPoint]) -> impl Iterator<Item = (GridPoint, GridPoint)> 
     contour.iter().copied().zip(contour.iter().copied().cycle().skip(1))
 }
 
-fn swept(mut jumps: Vec<Jump>, rule: Rule, monitor: Option<&ProgressMonitor>) -> Result<Region, BooleanError> {
+fn swept(mut jumps: Vec<Jump>, rule: Rule, budget: &Budget) -> Result<Region, BooleanError> {
     jumps.par_sort_unstable_by_key(|jump| (jump.x, jump.y));
     let mut sweep = Sweep { rule, status: Status::default(), corners: Corners::default(), fresh: Vec::new() };
+    let mut counted = 0;
     for (index, column) in jumps.chunk_by(|a, b| a.x == b.x).enumerate() {
-        if index % COLUMNS_PER_CHECK == 0 {
-            ProgressMonitor::check(monitor)?;
-            sweep.corners.check_size()?;
+        if index.is_multiple_of(COLUMNS_PER_CHECK) {
+            let corners = sweep.corners.check_size()?;
+            budget.add_vertices(corners - std::mem::replace(&mut counted, corners));
+            budget.check()?;
         }
         sweep.visit_column(column);
     }

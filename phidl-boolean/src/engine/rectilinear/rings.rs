@@ -33,12 +33,14 @@ impl Corners {
         self.holes.push((corner, below));
     }
 
+    /// The number of corners.
+    ///
     /// # Errors
     /// [`BooleanError::TooLarge`] if there are more corners than a result may have.
-    pub(super) fn check_size(&self) -> Result<(), BooleanError> {
+    pub(super) fn check_size(&self) -> Result<usize, BooleanError> {
         match self.points.len() {
             edges if edges > MOST_RESULT_POINTS => Err(BooleanError::TooLarge { edges, limit: MOST_RESULT_POINTS }),
-            _ => Ok(()),
+            corners => Ok(corners),
         }
     }
 

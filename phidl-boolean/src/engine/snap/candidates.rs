@@ -16,6 +16,9 @@ const BIN: usize = 24;
 /// Bins with more entries than this choose their own sweep direction.
 const CROWDED: usize = 8 * BIN;
 
+/// Entries between two looks at `stop`.
+const ENTRIES_PER_CHECK: usize = 64;
+
 /// Marks an entry whose segment is also in the previous bin.
 const ENTERED: u32 = 1 << 31;
 
@@ -91,11 +94,15 @@ impl CandidateSearch {
         Self { frame, entries, bins }
     }
 
-    /// Calls `visit` once for each pair of segments whose boxes touch, and possibly for further pairs.
-    pub(super) fn for_each_pair(&self, mut visit: impl FnMut(u32, u32)) {
+    /// Calls `visit` once for each pair of segments whose boxes touch, and possibly for further pairs. Ends early if `stop`
+    /// becomes true.
+    pub(super) fn for_each_pair(&self, mut visit: impl FnMut(u32, u32), stop: impl Fn() -> bool) {
         for range in self.bins.windows(2) {
             let entries = &self.entries[range[0].start..range[1].start];
             for (index, a) in entries.iter().enumerate() {
+                if index.is_multiple_of(ENTRIES_PER_CHECK) && stop() {
+                    return;
+                }
                 for b in &entries[index + 1..] {
                     if b.low > a.high {
                         break;
@@ -300,7 +307,7 @@ mod tests {
         #[test]
         fn segments_whose_boxes_touch_are_visited_once(segments in prop_oneof![segments(1), segments(1 << 25)]) {
             let mut met = BTreeMap::new();
-            CandidateSearch::new(&segments, COLUMNS).for_each_pair(|a, b| *met.entry((a.min(b), a.max(b))).or_insert(0) += 1);
+            CandidateSearch::new(&segments, COLUMNS).for_each_pair(|a, b| *met.entry((a.min(b), a.max(b))).or_insert(0) += 1, || false);
             prop_assert!(met.values().all(|&times| times == 1));
             for (number, a) in (0u32..).zip(&segments) {
                 for (other, b) in (0..number).zip(&segments) {
@@ -333,7 +340,7 @@ mod tests {
         let search = CandidateSearch::new(&segments, COLUMNS);
         assert!(search.bins.iter().any(|bin| !bin.is_across));
         let mut pairs = 0;
-        search.for_each_pair(|_, _| pairs += 1);
+        search.for_each_pair(|_, _| pairs += 1, || false);
         assert_eq!(pairs, 0);
     }
 }

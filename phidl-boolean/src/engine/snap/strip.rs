@@ -8,6 +8,7 @@ use super::{
 };
 use crate::{
     engine::{
+        budget::Budget,
         predicates::{crosses_pixel, have_opposite_signs, in_box, reach},
         segment::Segment,
         segment_set::SegmentSet,
@@ -23,7 +24,7 @@ const FLOAT_MARGIN: f64 = 1e-4;
 const FLOAT_RANGE: f64 = (1u64 << 32) as f64;
 
 /// Finds the snap chains of all segments inside one strip.
-pub(in crate::engine) fn snap_strip(set: &SegmentSet, plan: &StripPlan, strip: usize) -> StripChains {
+pub(in crate::engine) fn snap_strip(set: &SegmentSet, plan: &StripPlan, strip: usize, budget: &Budget) -> StripChains {
     let numbers = plan.touching(strip);
     let mut reader = set.reader();
     let segments: Vec<Segment> = numbers.iter().map(|&number| reader.segment(number)).collect();
@@ -33,16 +34,20 @@ pub(in crate::engine) fn snap_strip(set: &SegmentSet, plan: &StripPlan, strip: u
         numbers,
         segments: &segments,
         columns,
+        budget,
         vertices: Vec::new(),
         crossings: Vec::new(),
         self_intersecting: Vec::new(),
     };
     let search = CandidateSearch::new(&segments, columns);
-    search.for_each_pair(|a, b| snapper.intersect(a, b));
-    let crossings = std::mem::take(&mut snapper.crossings);
+    search.for_each_pair(|a, b| snapper.intersect(a, b), || budget.is_over());
+    let crossings = if budget.is_over() { Vec::new() } else { std::mem::take(&mut snapper.crossings) };
     search.for_each_point(&crossings, |segment, point| snapper.snap_to_crossing(segment, point));
     StripChains::new(&segments, &snapper.vertices, columns.1, snapper.self_intersecting)
 }
+
+/// Snap vertices that are counted at once.
+const VERTICES_PER_COUNT: usize = 4096;
 
 struct Snapper<'a> {
     set: &'a SegmentSet,
@@ -50,6 +55,7 @@ struct Snapper<'a> {
     numbers: &'a [u32],
     segments: &'a [Segment],
     columns: (i64, i64),
+    budget: &'a Budget<'a>,
     vertices: Vec<SnapVertex>,
     /// Hot pixels without an input vertex.
     crossings: Vec<GridPoint>,
@@ -124,6 +130,9 @@ impl Snapper<'_> {
     fn add_vertex(&mut self, segment: u32, e: &Segment, at: GridPoint) {
         if at != e.l && at != e.r && at.x >= self.columns.0 && at.x <= self.columns.1 {
             self.vertices.push(SnapVertex { segment, at });
+            if self.vertices.len().is_multiple_of(VERTICES_PER_COUNT) {
+                self.budget.add_vertices(VERTICES_PER_COUNT);
+            }
         }
     }
 
