@@ -70,6 +70,7 @@ def cases():
         yield {"id": f"copy-{name}", "device": "copy", "params": {"D": device}}
         yield {"id": f"deepcopy-{name}", "device": "deepcopy", "params": {"D": device}}
         yield {"id": f"flatten-{name}", "device": "flatten", "params": {"D": device}}
+    yield {"id": "flatten-layer", "device": "flatten", "params": {"D": CROSS, "single_layer": 9}}
     layers = {"gold": [1, 0], "pads": [2, 5], "via": [3, 0], "etch": [40, 1], "top": [41, 0]}
     yield {"id": "preview_layerset-five", "device": "preview_layerset", "params": {"ls": layers, "size": 40, "spacing": 25}, "text": True}
     for operation in ("A-B", "and", "or", "xor"):

@@ -15,7 +15,7 @@ use crate::arguments::PartialSize;
 use crate::basic::rectangle;
 
 /// Largest number of cells: the time of packing grows with the square of their number.
-const MOST_CELLS: usize = 10_000;
+const MOST_CELLS: usize = 4_000;
 /// Floating point noise in a size, in steps of the packing grid: less than this is not rounded up to a whole step.
 const NOISE: f64 = 1e-6;
 
@@ -40,7 +40,7 @@ const NOISE: f64 = 1e-6;
 /// `bins`: how many there are. In each bin `density`: the area of the packed boxes over that of the box around them.
 ///
 /// # Errors
-/// A cell that draws nothing, or that does not fit into `max_size` with half of `spacing` around it. More than 10,000 cells.
+/// A cell that draws nothing, or that does not fit into `max_size` with half of `spacing` around it. More than 4,000 cells.
 ///
 /// # Numerics
 /// Positions are multiples of `precision`; boxes with their spacing are rounded up to it, so there is up to `precision`

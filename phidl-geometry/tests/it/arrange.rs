@@ -254,3 +254,14 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn grids_and_sweeps_of_too_many_cells_are_refused_before_they_are_drawn() {
+    let cell = pg::circle(1, 10, 0).unwrap();
+    let error = pg::GridParams::new([&cell]).shape((1001, 1000)).build().unwrap_err().to_string();
+    assert_eq!(error, "grid: shape is (1001, 1000), but it must have from 1 to 1000000 positions");
+    let sweep =
+        pg::GridsweepParams::new(pg::CircleParams::default()).param_x(Sweep::from(1001)).param_y(Sweep::from(100));
+    let error = sweep.build().unwrap_err().to_string();
+    assert_eq!(error, "gridsweep: number of cells is 100100, but it must be at most 100000");
+}

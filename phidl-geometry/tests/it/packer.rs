@@ -232,3 +232,10 @@ proptest! {
         prop_assert_eq!(packed, given);
     }
 }
+
+#[test]
+fn more_cells_than_can_be_packed_in_time_are_refused_before_packing() {
+    let cell = pg::rectangle((1, 1), 0).unwrap();
+    let error = pg::PackerParams::new(vec![cell; 4001]).bins().unwrap_err().to_string();
+    assert_eq!(error, "packer: number of cells in D_list is 4001, but it must be at most 4000");
+}

@@ -218,7 +218,7 @@ pub(super) const ALL: &[Difference] = &[
         reason: "PHIDL hints at 32 pixels, uses a relative grid, takes the exclusive-or of contours and does not kern; \
                  ours scales the design of the font, shapes it and takes the font's own line pitch",
         instead: "the design units of the font, in the tests of text",
-        compare: Test("phidl-geometry, tests/it/text.rs"),
+        compare: Test("phidl-geometry, tests/it/fonts.rs"),
         further: true,
     },
     Difference {
