@@ -69,6 +69,24 @@ pub enum IoError {
         /// Polygons that enclose nothing on the grid.
         collapsed: u64,
     },
+    /// The bytes are no layout file of a known format.
+    #[error("{file}: it is no layout file that phidl reads: {found}")]
+    UnknownFormat {
+        /// The file.
+        file: Box<str>,
+        /// What was found instead, as a sentence.
+        found: Box<str>,
+    },
+    /// The format of a file was left out when the program was compiled.
+    #[error("{file}: {format} needs the feature {feature:?} of phidl-io, which this program is compiled without")]
+    NotCompiledIn {
+        /// The file.
+        file: Box<str>,
+        /// The format.
+        format: &'static str,
+        /// The feature of phidl-io.
+        feature: &'static str,
+    },
     /// An option of the writer breaks its rule.
     #[error("the option {option} is {value}, but it must {rule}")]
     Option {

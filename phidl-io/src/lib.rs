@@ -2,7 +2,9 @@
 //!
 //! | Module | What it does |
 //! |---|---|
+//! | [`layout`] | one front for all layout formats: GDSII, OASIS, gzip; files inspected and converted |
 //! | [`gds`] | GDSII files, written and read: cells, arrays, labels, properties, units, a fixed date |
+//! | `oasis` | OASIS files (SEMI P39), written and read (feature `oasis`, on by default) |
 //! | [`model`] | what a layout file holds, shared by all formats: paths, boxes, several top cells, dates |
 //! | [`svg`] | pictures with the hierarchy kept, so that a large chip is a small file |
 //! | [`json`] | a device described for comparing; generators, parameters and ports beside a mask file |
@@ -24,9 +26,12 @@ mod error;
 pub mod gds;
 mod input;
 pub mod json;
+pub mod layout;
 pub mod lyp;
 pub mod mask;
 pub mod model;
+#[cfg(feature = "oasis")]
+pub mod oasis;
 mod placements;
 mod summary;
 pub mod svg;

@@ -40,6 +40,10 @@ pub(crate) enum Command {
     Interop(InteropFlags),
     /// Has PHIDL draw further reference results with random parameters, for the tests to run on.
     Golden(GoldenFlags),
+    /// Counts what is in a layout file: cells, layers, problems.
+    Inspect(InspectFlags),
+    /// Makes another file of a layout file: other format, one cell, some layers, flat, on another grid.
+    Convert(ConvertFlags),
 }
 
 /// Flags of `mask`.
@@ -222,4 +226,92 @@ pub(crate) struct GoldenFlags {
     /// The folder for the virtual environments.
     #[arg(long, value_name = "DIR", default_value = "target/compare")]
     pub(crate) peers: PathBuf,
+}
+
+/// Flags of `inspect`.
+#[derive(Debug, Args)]
+pub(crate) struct InspectFlags {
+    /// A GDSII or OASIS file, also compressed with gzip; the format is that of its content.
+    #[arg(value_name = "FILE")]
+    pub(crate) file: PathBuf,
+    /// Only this cell and what is below it.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) cell: Option<String>,
+    /// As JSON, for other programs.
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Leave out merged areas, which cost a boolean operation.
+    #[arg(long)]
+    pub(crate) no_merged: bool,
+    /// All problems, not the first 20.
+    #[arg(long)]
+    pub(crate) problems: bool,
+    /// Exit with 3 if there is any problem.
+    #[arg(long)]
+    pub(crate) strict: bool,
+}
+
+/// Flags of `convert`.
+#[derive(Debug, Args)]
+pub(crate) struct ConvertFlags {
+    /// A GDSII or OASIS file, also compressed with gzip; the format is that of its content.
+    #[arg(value_name = "IN")]
+    pub(crate) input: PathBuf,
+    /// The result; its ending says what: .gds, .oas, both also with .gz, .svg, .json, .lyp.
+    #[arg(value_name = "OUT")]
+    pub(crate) output: PathBuf,
+    /// Only this cell and what is below it.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) cell: Option<String>,
+    /// One cell without references.
+    #[arg(long)]
+    pub(crate) flatten: bool,
+    /// Only these layers: 1/0,2/0; 3 for all datatypes; 1/0=10/0 for another number.
+    #[arg(long, value_name = "LIST")]
+    pub(crate) layers: Option<String>,
+    /// The grid of the result (µm); that of the file if not given.
+    #[arg(long, value_name = "UM")]
+    pub(crate) grid: Option<f64>,
+    /// The user unit of the result (µm); that of the file if not given.
+    #[arg(long, value_name = "UM")]
+    pub(crate) user_unit: Option<f64>,
+    /// The name of the top cell in the result.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) top: Option<String>,
+    /// Layer properties of KLayout: names of layers for OASIS, looks for SVG.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) lyp: Option<PathBuf>,
+    /// How hard OASIS and gzip files are compressed, from 1 (quick) to 9 (short).
+    #[arg(long, value_name = "N", default_value_t = 6)]
+    pub(crate) level: u32,
+    /// Cells of OASIS files are not compressed.
+    #[arg(long)]
+    pub(crate) no_compress: bool,
+    /// The checksum of OASIS files.
+    #[arg(long, value_enum, default_value = "crc32")]
+    pub(crate) checksum: ChecksumFlag,
+    /// What rectangles become in OASIS files.
+    #[arg(long, value_enum, default_value = "rectangles")]
+    pub(crate) shapes: ShapesFlag,
+    /// Equal shapes of OASIS files do not share a record.
+    #[arg(long)]
+    pub(crate) no_merge_repeats: bool,
+    /// Exit with 3 and write nothing if anything is lost.
+    #[arg(long)]
+    pub(crate) strict: bool,
+}
+
+/// The checksum of OASIS files.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub(crate) enum ChecksumFlag {
+    Crc32,
+    Sum,
+    None,
+}
+
+/// What rectangles become in OASIS files.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub(crate) enum ShapesFlag {
+    Rectangles,
+    Polygons,
 }

@@ -9,6 +9,7 @@ use testkit::scenes;
 
 use crate::compare::{PRECISION, both, draw, script};
 use crate::flags::{InteropFlags, MaskFlags};
+use crate::interop_files;
 use crate::layer_file;
 use crate::mask;
 use crate::python::Python;
@@ -28,6 +29,7 @@ pub(crate) fn run(flags: &InteropFlags) -> anyhow::Result<()> {
     std::fs::create_dir_all(&flags.out).with_context(|| flags.out.display().to_string())?;
     let Some(python) = Python::with_peers(&flags.out.join("peers"))? else { return Ok(()) };
     masks_agree(&python, &flags.out.join("masks"))?;
+    interop_files::agree(&python, &flags.out.join("files"))?;
     let (scene, result) = (flags.out.join("scene.gds"), flags.out.join("result.gds"));
     let text = |path: &Path| path.to_str().map(str::to_owned).context("the path of a scene is text");
     for seed in 0..flags.scenes {

@@ -6,11 +6,14 @@
 mod bench;
 mod boolean;
 mod compare;
+mod convert;
 mod demo;
 mod flags;
 mod gallery;
 mod golden;
+mod inspect;
 mod interop;
+mod interop_files;
 mod layer_file;
 mod mask;
 mod offset;
@@ -28,10 +31,17 @@ use phidl_io::cli::{self, CliError};
 use phidl_route as _;
 use progress::Progress;
 
+/// The exit code of `--strict`: a problem or a loss.
+const STRICT: u8 = 3;
+
 fn main() -> ExitCode {
     match run(Flags::parse().command) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) if is_broken_pipe(&error) => ExitCode::SUCCESS,
+        Err(error) if error.is::<inspect::Strict>() => {
+            eprintln!("error: {error:#}");
+            ExitCode::from(STRICT)
+        }
         Err(error) => {
             eprintln!("error: {error:#}");
             ExitCode::FAILURE
@@ -51,6 +61,8 @@ fn run(command: Command) -> anyhow::Result<()> {
         Command::Compare(flags) => compare::run(&flags),
         Command::Interop(flags) => interop::run(&flags),
         Command::Golden(flags) => golden::run(&flags),
+        Command::Inspect(flags) => inspect::run(&flags),
+        Command::Convert(flags) => convert::run(&flags),
     }
 }
 

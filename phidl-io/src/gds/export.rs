@@ -9,7 +9,9 @@ use super::options::{GdsOptions, units};
 use super::writer::{Head, Writer};
 use crate::atomic::AtomicFile;
 use crate::error::{IoError, Result};
-use crate::model::{Cell, CellTable, Content, Converter};
+use crate::model::{Cell, CellTable, Changes, Content, Converter};
+#[cfg(feature = "oasis")]
+use crate::model::{Layout, Rules};
 use crate::weld::{self, WeldReport};
 
 /// What the writer did.
@@ -100,10 +102,7 @@ fn encode(content: Content<'_>, options: &GdsOptions, put: impl FnMut(&[u8]) -> 
     }
     tops.iter().try_for_each(|top| check_extent(top, &grid))?;
     let changes = converter.changes;
-    if !options.allow_empty && changes.outlines == 0 && changes.labels == 0 {
-        let name = content.tops().first().map_or("", |top| top.name());
-        return Err(IoError::EmptyMask { cell: name.into(), collapsed: changes.collapsed_polygons });
-    }
+    check_not_empty(content, options, &changes)?;
     Ok(GdsReport {
         cells: table.iter().map(|(_, name)| name.to_owned()).collect(),
         outlines: changes.outlines,
@@ -127,6 +126,36 @@ fn check_extent(top: &Device, grid: &Grid) -> Result<()> {
         return Ok(());
     }
     Err(IoError::Extent(error))
+}
+
+/// The layout of some devices: welded, rounded and named as for a GDSII file, with polygons of any size.
+#[cfg(feature = "oasis")]
+pub(crate) fn to_layout(content: Content<'_>, options: &GdsOptions) -> Result<Layout> {
+    let grid = options.check()?;
+    let (tops, _) = welded(content, &grid, options)?;
+    let table = CellTable::of(Content::from(&tops), &options.naming());
+    let mut converter = Converter::new(&table, Rules { max_points: usize::MAX, ..options.rules(grid) });
+    let mut layout = Layout::new(grid);
+    layout.name.clone_from(&options.library_name);
+    layout.user_unit = options.user_unit;
+    layout.names = table.names().clone();
+    for (device, _) in table.iter() {
+        let mut cell = Cell::new(table.id_of(device));
+        converter.convert(device, &mut cell)?;
+        layout.cells.push(cell);
+    }
+    tops.iter().try_for_each(|top| check_extent(top, &grid))?;
+    check_not_empty(content, options, &converter.changes)?;
+    Ok(layout)
+}
+
+/// Refuses an empty mask, unless the options allow it.
+fn check_not_empty(content: Content<'_>, options: &GdsOptions, changes: &Changes) -> Result<()> {
+    if options.allow_empty || changes.outlines > 0 || changes.labels > 0 {
+        return Ok(());
+    }
+    let name = content.tops().first().map_or("", |top| top.name());
+    Err(IoError::EmptyMask { cell: name.into(), collapsed: changes.collapsed_polygons })
 }
 
 /// The top devices with welded joints.

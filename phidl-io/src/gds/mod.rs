@@ -25,10 +25,13 @@ mod real;
 mod record;
 mod writer;
 
+#[cfg(feature = "oasis")]
+pub(crate) use export::to_layout;
 pub(crate) use export::write_in;
 pub use export::{GdsReport, to_bytes, write};
 pub use import::{Import, ReadOptions, read, read_bytes};
 pub use options::GdsOptions;
+pub(crate) use reader::parse;
 pub use reader::{decode_layout, read_layout};
 pub use writer::{encode_layout, write_layout};
 

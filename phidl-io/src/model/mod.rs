@@ -29,11 +29,13 @@ use phidl_core::num::grid::Grid;
 pub use cell::Cell;
 pub use date::Date;
 pub use element::{BoxElement, Lattice, Node, Path, PathEnd, Placement, Text};
-pub(crate) use from_device::{CellTable, Converter, DistinctCells, Naming, Rules, check_name};
+pub(crate) use from_device::{CellTable, Changes, Converter, DistinctCells, Naming, Rules, check_name};
 pub use from_device::{Content, FileLimits, MergeCells};
 pub use names::{CellId, CellNames};
 pub use polygons::{PolygonRef, Polygons};
 pub use problem::{Problem, ProblemKind, Problems};
+#[cfg(feature = "oasis")]
+pub(crate) use to_device::outlines;
 pub(crate) use to_device::{choose, devices};
 
 /// A point in grid steps.

@@ -56,6 +56,11 @@ impl CellNames {
         &self.names[id.index()]
     }
 
+    /// The names in the order of their numbers.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = &str> {
+        self.names.iter().map(AsRef::as_ref)
+    }
+
     /// How many names there are.
     #[must_use]
     pub fn len(&self) -> usize {

@@ -42,6 +42,18 @@ impl Polygons {
         }
     }
 
+    /// The properties of all polygons that have some, in order.
+    #[cfg(feature = "oasis")]
+    pub(crate) fn properties(&self) -> impl Iterator<Item = &Properties> {
+        self.properties.values()
+    }
+
+    /// The properties of a polygon, to add some.
+    #[cfg(feature = "oasis")]
+    pub(crate) fn properties_mut(&mut self, index: usize) -> &mut Properties {
+        self.properties.entry(index).or_default()
+    }
+
     /// How many polygons there are.
     #[must_use]
     pub fn len(&self) -> usize {

@@ -44,6 +44,21 @@ pub enum ProblemKind {
     ContextInfo,
     /// Bytes after the end of the library that are not zero.
     Trailing(usize),
+    /// A property whose name means nothing here: left out. Each name is listed once.
+    Property(Box<str>),
+    /// A circle of OASIS: read as a polygon.
+    Circle,
+    /// A polygon of OASIS whose list of alternating directions has an odd number of corners: read, but not by all tools.
+    OddList,
+    /// What an OASIS file states of its tables or its end and does not keep, as a sentence. It is read by its records.
+    Strict(Box<str>),
+    /// A checksum that is not that of the bytes.
+    Checksum {
+        /// What the file states.
+        stated: u32,
+        /// What its bytes have.
+        found: u32,
+    },
 }
 
 impl std::fmt::Display for Problem {
@@ -69,6 +84,15 @@ impl std::fmt::Display for Problem {
                 write!(f, "cell {name:?} is not in the file and is read as an empty cell")
             }
             ProblemKind::ContextInfo => f.write_str("KLayout's notes on the origin of cells are left out"),
+            ProblemKind::Property(name) => write!(f, "the property {name:?} has no counterpart and is left out"),
+            ProblemKind::Circle => f.write_str("a circle is read as a polygon"),
+            ProblemKind::OddList => {
+                f.write_str("a polygon has an odd number of alternating edges, which some tools refuse")
+            }
+            ProblemKind::Strict(what) => f.write_str(what),
+            ProblemKind::Checksum { stated, found } => {
+                write!(f, "the checksum is {stated:08x}, but that of the bytes is {found:08x}")
+            }
             ProblemKind::Trailing(count) => write!(f, "{count} bytes after the end of the library are left out"),
         }
     }

@@ -68,7 +68,7 @@ fn a_file_of_klayout_is_read_whole_and_written_the_same() {
     assert_eq!(all.patterns, [check, CustomPattern::default()]);
     assert_eq!(all.lines, [CustomLine { pattern: "***..".to_owned(), order: 2, name: "dash".to_owned() }]);
     assert_eq!(second.layers[0].source.0, "by-name@1");
-    assert_eq!(read.unknown.iter().map(|e| (e.line, e.name.as_str())).collect::<Vec<_>>(), [(46, "later")]);
+    assert_eq!(read.unknown.iter().map(|e| (e.line, e.name.as_str())).collect::<Vec<_>>(), [(43, "later")]);
     let again = lyp::from_str(&lyp::to_string(&read)).unwrap();
     assert_eq!(again.tabs, read.tabs);
 }

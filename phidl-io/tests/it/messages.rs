@@ -288,3 +288,36 @@ fn problems() {
     .assert_eq(&sentences.join("\n"));
     assert!(Path::new("src").exists(), "the tests run in the folder of the crate");
 }
+
+#[test]
+fn problems_of_oasis_files() {
+    let kinds = [
+        ProblemKind::Property("p".into()),
+        ProblemKind::Circle,
+        ProblemKind::OddList,
+        ProblemKind::Strict("the END record has 20 bytes, but it must have 256".into()),
+        ProblemKind::Checksum { stated: 1, found: 0xabcd_ef01 },
+    ];
+    let sentences = kinds.map(|kind| Problem { cell: "chip".into(), offset: 7, kind }.to_string());
+    expect![[r#"
+        cell "chip", byte 7: the property "p" has no counterpart and is left out
+        cell "chip", byte 7: a circle is read as a polygon
+        cell "chip", byte 7: a polygon has an odd number of alternating edges, which some tools refuse
+        cell "chip", byte 7: the END record has 20 bytes, but it must have 256
+        cell "chip", byte 7: the checksum is 00000001, but that of the bytes is abcdef01"#]]
+    .assert_eq(&sentences.join("\n"));
+}
+
+#[test]
+fn files_of_other_formats() {
+    let layout = |bytes: &[u8]| phidl_io::layout::read_bytes(bytes, &Default::default()).map(|_| ());
+    let missing = IoError::NotCompiledIn { file: "a.oas".into(), format: "OASIS", feature: "oasis" };
+    let style = phidl_io::lyp::from_str("<a/>").map(|_| ());
+    expect![[r#"
+        these bytes: it is no layout file that phidl reads: it is empty
+        these bytes: it is no layout file that phidl reads: it begins with 50 4b 03 04
+        these bytes: it is no layout file that phidl reads: it holds layer properties (LYP)
+        a.oas: OASIS needs the feature "oasis" of phidl-io, which this program is compiled without
+        this text, line 1, column 1: the root element is <a>, but it must be <layer-properties>"#]]
+    .assert_eq(&report([layout(b""), layout(b"PK\x03\x04"), layout(b"<layer-properties/>"), Err(missing), style]));
+}

@@ -13,3 +13,5 @@ mod wire;
 
 pub(crate) use build::devices;
 pub(crate) use order::choose;
+#[cfg(feature = "oasis")]
+pub(crate) use wire::outlines;

@@ -17,7 +17,7 @@ use super::overlap;
 use crate::model::{Path, PathEnd};
 
 /// A point in grid steps. Outlines of paths may reach beyond 32 bits.
-pub(super) type Step = [i64; 2];
+pub(crate) type Step = [i64; 2];
 
 /// The largest distance of a chord from a round end (grid steps).
 const TOLERANCE: f64 = 0.1;
@@ -29,7 +29,7 @@ const MOST_CHORDS: usize = 512;
 const MITERED: f64 = -1e-12;
 
 /// The outlines of a path: one, or several where it overlaps itself; none if it covers nothing.
-pub(super) fn outlines(path: &Path) -> Vec<Vec<Step>> {
+pub(crate) fn outlines(path: &Path) -> Vec<Vec<Step>> {
     let Some(wire) = Wire::new(path) else { return dot(path) };
     if let Some(outline) = wire.outline().filter(|outline| overlap::is_simple(outline, &wire)) {
         return vec![outline];
