@@ -228,7 +228,7 @@ fn units(record: &Record<'_>) -> Result<(Grid, f64, [f64; 2]), FormatError> {
     };
     let [in_user_units, in_meters] = [user, meters].map(decode);
     let step = in_meters * 1e6;
-    if !is_representable(step) || !is_representable(in_user_units) {
+    if ![step, in_meters, in_user_units].into_iter().all(is_representable) {
         return Err(bad(format!("the database unit is {} m and {} user units", real(in_meters), real(in_user_units))));
     }
     let grid = Grid::new(step).map_err(|error| bad(error.to_string()))?;

@@ -208,7 +208,8 @@ fn files_that_cannot_be_written() {
         no/such/folder/file: could not create it: entity not found
         /dev/null: it is not a regular file
         src: could not write it: is a directory
-        FOLDER/../file: it leads out of the folder FOLDER"#]].assert_eq(&refused);
+        FOLDER/../file: it leads out of the folder FOLDER"#]]
+    .assert_eq(&refused);
 }
 
 #[test]
