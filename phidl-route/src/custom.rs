@@ -49,13 +49,11 @@ pub fn route_custom(
     let pair = PortPair::new("route_custom", &port1, &port2)?;
     let waypoints = waypoints.into_points();
     if waypoints.len() < 2 {
-        return Err(Error::custom(
-            "route_custom",
-            format!("at least 2 waypoints are needed, but {} are given", waypoints.len()),
-        ));
+        return Err(Error::custom("route_custom", format!("at least 2 waypoints are needed, not {}", waypoints.len())));
     }
     pair.check_waypoints(&waypoints)?;
-    let path = Path::smooth(&waypoints, radius, bend).map_err(|error| error.within(pair.between()))?;
+    let path = Path::smooth(&waypoints, radius, bend)
+        .map_err(|error| error.within(format!("the route {}", pair.between())))?;
     let drawing = RouteDrawing {
         what: pair.what(),
         path: &path,

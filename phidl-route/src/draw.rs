@@ -67,7 +67,7 @@ impl RouteDrawing<'_> {
                 checked.and_then(|_| drawing.overlaps(Overlaps::Keep).open())
             }
         };
-        let mut d = drawn.map_err(|error| error.within(format!("{} {}", self.what, pair.between())))?;
+        let mut d = drawn.map_err(|error| error.within(format!("the route {}", pair.between())))?;
         d.rename(self.what);
         d.info("bends", self.bends).info("smallest_radius", self.smallest_radius);
         Ok(d)
@@ -86,7 +86,7 @@ impl RouteDrawing<'_> {
     /// The sections, which have layers of their own.
     fn sections<'x>(&self, x: &'x CrossSection) -> Result<&'x CrossSection> {
         if *self.layer != Layers::default() {
-            let given = format!("{:?}", self.layer.as_slice());
+            let given = self.layer.iter().map(|layer| layer.to_string()).collect::<Vec<_>>().join(", ");
             let rule = "be left out with a cross-section, whose sections have layers of their own";
             return Err(refused(self.what, "layer", given, rule));
         }

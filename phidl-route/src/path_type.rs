@@ -1,8 +1,8 @@
 //! [`PathType`]: the rule for the waypoints of a smooth or sharp route.
 
-use phidl_core::Result;
 use phidl_core::geom::Point;
 use phidl_core::num::angle;
+use phidl_core::{Error, Result};
 use phidl_macros::Choice;
 
 use crate::manhattan::{self, Detour};
@@ -84,8 +84,7 @@ impl WaypointRule<'_> {
         match self.manual_path {
             Some(points) if points.len() >= 2 => Ok(points.to_vec()),
             Some(points) => {
-                let given = format_args!("a list of {} points", points.len());
-                Err(refused(self.what, "manual_path", given, "have at least 2"))
+                Err(Error::custom(self.what, format!("manual_path needs at least 2 points, but has {}", points.len())))
             }
             None => Err(refused(self.what, "manual_path", "left out", "be given for path_type manual")),
         }

@@ -136,6 +136,9 @@ impl<'a> PortPair<'a> {
     /// Refuses a first or last leg that is not on the axis of its port.
     fn check_leg(&self, rule: &str, leg: Point, along: Point) -> Result<()> {
         let ahead = leg.dot(along);
+        if ahead.abs() <= JOINT {
+            return Err(self.error(format_args!("{rule}, but leads sideways")));
+        }
         if ahead <= 0.0 {
             return Err(self.error(format_args!("{rule}, but leads {} backwards", micrometers(-ahead))));
         }

@@ -105,7 +105,9 @@ pub fn route_smooth(
     let rule = WaypointRule { what: NAME, path_type, manual_path, length1, length2, left1, radius };
     let (points, detour) = rule.points(&pair)?;
     let turns = turns(&points);
-    let smooth = |options| Path::smooth(&points, radius, options).map_err(|error| error.within(pair.between()));
+    let smooth = |options| {
+        Path::smooth(&points, radius, options).map_err(|error| error.within(format!("the route {}", pair.between())))
+    };
     let (path, finer) = (smooth(smooth_options)?, smooth_options.finer().map(smooth).transpose()?);
     let radii = turns.iter().map(|turn| smooth_options.smallest_radius(radius, *turn)).collect::<Result<Vec<_>>>()?;
     let drawing = RouteDrawing {

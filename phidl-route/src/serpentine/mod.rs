@@ -223,4 +223,15 @@ mod tests {
         let device = RouteSerpentineParams::new(&a, &b, 900).radius(5).allow_detour(true).build().unwrap();
         assert!((device.info()["length"].as_f64().unwrap() - 900.0).abs() < 1e-4);
     }
+
+    #[test]
+    fn tiny_radii_end_with_a_bounded_number_of_bumps() {
+        for (radius, width) in [(1e-3, 1.0), (1e-9, 1e-9), (1e-300, 1e-300)] {
+            let line = delay_line(1000, 200, width, RouteBend::Circular, radius, 0);
+            assert!(line.is_err(), "{radius}");
+        }
+        // As many bumps as have a million points together.
+        let path = serpentine_centerline(((0, 0), 0.002, 0), ((90, 0), 0.002, 180), 100, RouteBend::Circular, 0.002);
+        assert!(path.unwrap().points().len() <= 1 << 20);
+    }
 }

@@ -6,10 +6,11 @@ use expect_test::expect;
 use phidl_core::Error;
 use phidl_core::port::Port;
 use phidl_core::runtime::registry;
-use phidl_path::{Bend as _, CrossSection, Section};
+use phidl_path::{ArcBend, Bend as _, CrossSection, Section};
 use phidl_route::{
-    RouteBend, RouteManhattanAutoParams, RouteManhattanParams, RouteSerpentineParams, delay_line, path_j, path_l,
-    path_manhattan, path_straight, path_u, path_v, path_xy, path_z,
+    PathType, RouteBasicParams, RouteBend, RouteManhattanAutoParams, RouteManhattanParams, RouteSerpentineParams,
+    RouteSharpParams, RouteSmoothParams, RouteXyParams, SmoothOptions, delay_line, path_j, path_l, path_manhattan,
+    path_straight, path_u, path_v, path_xy, path_z, route_custom,
 };
 
 fn port(x: f64, y: f64, width: f64, orientation: f64) -> Port {
@@ -59,6 +60,71 @@ fn messages_of_waypoints() {
         path_xy: directions is "x", but it must contain 'y', since the ports are 8 µm apart in y
         path_xy: directions is "xz", but it must have only x and y, not 'z'
         path_xy: both ports are at (1, 1), so there is nothing to draw
+    "#]].assert_eq(&listed(errors));
+}
+
+#[test]
+fn messages_of_smooth_and_sharp_routes() {
+    let smooth = |x: f64, y: f64, orientation: f64| RouteSmoothParams::new(origin(), port(x, y, 1., orientation));
+    let sharp = |x: f64, y: f64, orientation: f64| RouteSharpParams::new(origin(), port(x, y, 1., orientation));
+    let sections = CrossSection::of_width(1, 2);
+    let wavy = CrossSection::from(Section::new(|t: f64| 1.0 + t));
+    let points = |list: &[(f64, f64)]| list.iter().copied().map(Into::into).collect::<Vec<_>>();
+    let manual = |list: &[(f64, f64)]| sharp(50., 50., 270.).path_type(PathType::Manual).manual_path(points(list));
+    let arc = SmoothOptions::arc();
+    let errors = [
+        sharp(-10., -5., 270.).path_type(PathType::L).build().unwrap_err(),
+        sharp(50., 5., 180.).path_type(PathType::U).length1(60).build().unwrap_err(),
+        sharp(50., 50., 270.).length1(60).build().unwrap_err(),
+        sharp(50., 50., 270.).path_type(PathType::Manual).build().unwrap_err(),
+        manual(&[(0., 0.)]).build().unwrap_err(),
+        manual(&[(0., 0.), (50., 1.), (50., 50.)]).build().unwrap_err(),
+        manual(&[(0., 0.), (50., 0.), (50., 49.)]).build().unwrap_err(),
+        sharp(0., 0., 180.).path_type(PathType::Manual).manual_path(points(&[(0., 0.), (0., 0.)])).build().unwrap_err(),
+        RouteSharpParams::new(port(0., 0., 0., 0.), port(50., 50., 1., 270.)).build().unwrap_err(),
+        sharp(50., 50., 270.).width(&sections).layer(3).build().unwrap_err(),
+        sharp(50., 50., 270.).width(&wavy).build().unwrap_err(),
+        sharp(5., 4., 270.).path_type(PathType::J).length1(15).length2(14).build().unwrap_err(),
+        smooth(50., 50., 270.).path_type(PathType::U).build().unwrap_err(),
+        smooth(50., 50., 180.).path_type(PathType::U).length1(3).build().unwrap_err(),
+        smooth(50., 50., 270.).width(12).smooth_options(arc).build().unwrap_err(),
+        smooth(50., 50., 270.)
+            .smooth_options(SmoothOptions::Euler { p: 1.0, use_eff: false, num_pts: 720.0 })
+            .build()
+            .unwrap_err(),
+        RouteXyParams::new(origin(), port(50., 50., 1., 270.)).directions("abc").build().unwrap_err(),
+        RouteXyParams::new(origin(), port(5., 5., 1., 270.)).directions("xy").width(12).build().unwrap_err(),
+        RouteBasicParams::new(origin(), port(50., 5., 1., 170.)).build().unwrap_err(),
+        RouteBasicParams::new(origin(), port(-50., 5., 1., 180.)).build().unwrap_err(),
+        RouteBasicParams::new(origin(), port(50., 5., 1., 180.)).num_path_pts(1).build().unwrap_err(),
+        route_custom(origin(), port(50., 50., 1., 270.), [(0, 0)], 5, ArcBend::new(), &wavy).unwrap_err(),
+        route_custom(origin(), port(50., 50., 1., 270.), [(0, 0), (0, 50), (50, 50)], 5, ArcBend::new(), &wavy)
+            .unwrap_err(),
+    ];
+    expect![[r#"
+        route_sharp: no route from port1 "in" at (0, 0) facing 0° to port2 at (-10, -5) facing 270°: the first leg must leave port1 along its orientation, but leads 10 µm backwards
+        route_sharp: no route from port1 "in" at (0, 0) facing 0° to port2 at (50, 5) facing 180°: the last leg must enter port2 against its orientation, but leads 10 µm backwards
+        route_sharp: length1 is given, but it must be left out, since path_type Manhattan does not use it
+        route_sharp: manual_path is left out, but it must be given for path_type manual
+        route_sharp: manual_path needs at least 2 points, but has 1
+        route_sharp: no route from port1 "in" at (0, 0) facing 0° to port2 at (50, 50) facing 270°: the first leg must leave port1 along its orientation, but deviates by 1 µm from the axis
+        route_sharp: no route from port1 "in" at (0, 0) facing 0° to port2 at (50, 50) facing 270°: the waypoints must start and end at the ports, but miss one by 1 µm
+        route_sharp: no route from port1 "in" at (0, 0) facing 0° to port2 at (0, 0) facing 180°: the ports are at one position, so there is nothing to draw
+        route_sharp: port1.width is 0 µm, but it must be greater than 0 µm, unless `width` is given
+        route_sharp: layer is 3/0, but it must be left out with a cross-section, whose sections have layers of their own
+        route_sharp: the cross-section has functions or lists, which cannot be compared as parameters; `route_custom` draws it
+        in route_sharp: in the route from port1 "in" at (0, 0) facing 0° to port2 at (5, 4) facing 270°: extrude: section 0 crosses itself: the path passes twice through one position, at 5 µm and at 45 µm along it
+        route_smooth: no route from port1 "in" at (0, 0) facing 0° to port2 at (50, 50) facing 270°: the ports are turned by 270° against each other, but must be turned by 0° or 180°
+        in route_smooth: in the route from port1 "in" at (0, 0) facing 0° to port2 at (50, 50) facing 180°: smooth: the leg from (0, 0) to (3, 0) is 3 µm long, but its bends need 5 µm
+        in route_smooth: in the route from port1 "in" at (0, 0) facing 0° to port2 at (50, 50) facing 270°: extrude: section 0 overlaps itself on the left from 45.043877 µm to 52.81008 µm along the path: its edge lies 6 µm from the path, which bends too tightly there; a bend radius, or a leg between corners, of at least 6 µm, or a width of at most 9.999 µm would do
+        route_smooth: smooth_options is an Euler bend by its smallest radius, but it must have use_eff on a Manhattan route, whose legs have room for the effective radius only
+        route_xy: directions is "abc", but it must have only x and y, not 'a'
+        in route_xy: in the route from port1 "in" at (0, 0) facing 0° to port2 at (5, 5) facing 270°: extrude: section 0 overlaps itself on the left from 0 µm to 10 µm along the path: its edge lies 6 µm from the path, which bends too tightly there; a bend radius, or a leg between corners, of at least 6 µm, or a width of at most 10 µm would do
+        route_basic: no route from port1 "in" at (0, 0) facing 0° to port2 at (50, 5) facing 170°: the ports must face each other, but are turned by 170° instead of 180°
+        route_basic: no route from port1 "in" at (0, 0) facing 0° to port2 at (-50, 5) facing 180°: the distance of port2 ahead of port1 is -50 µm, but must be at least 0 µm: 50 µm are missing
+        route_basic: num_path_pts is 1, but it must be at least 2
+        route_custom: at least 2 waypoints are needed, not 1
+        route_custom: no route from port1 "in" at (0, 0) facing 0° to port2 at (50, 50) facing 270°: the first leg must leave port1 along its orientation, but leads sideways
     "#]].assert_eq(&listed(errors));
 }
 
