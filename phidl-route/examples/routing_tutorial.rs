@@ -41,7 +41,7 @@ fn corner() -> [Port; 2] {
     [Port::new((40, 0), 5, 180), Port::new((0, -40), 5, 270)]
 }
 
-/// The way is found; bends or sharp corners are a matter of taste.
+/// Waypoints are chosen automatically, with bends or sharp corners.
 fn automatic() -> Result<[Device; 2]> {
     let [a, b] = corner();
     let smooth = route_smooth(&a, &b, 10, None, PathType::Manhattan, 2)?;

@@ -1,18 +1,18 @@
-//! Where lines without width cross themselves: what decides between the reference's waypoints and others.
+//! Crossings of lines without width. They decide between PHIDL's waypoints and others.
 
 use phidl_core::geom::Point;
 
-/// Lengths below this (µm) are rounding: lines that share less do not cross.
+/// Lengths below this (µm) are rounding; lines that share less do not cross.
 const NOISE: f64 = 1e-6;
 
-/// How often a line crosses or covers itself. Touching with an end does not count: a line may end beside itself.
+/// The number of times a line crosses or covers itself. An end that touches the line does not count.
 pub(crate) fn crossings(points: &[Point]) -> usize {
     let legs: Vec<[Point; 2]> = points.windows(2).map(|leg| [leg[0], leg[1]]).collect();
-    let apart = |i: usize| legs.get(i + 2..).unwrap_or(&[]);
-    legs.iter().enumerate().map(|(i, leg)| apart(i).iter().filter(|other| cross(*leg, **other)).count()).sum()
+    let later = |i: usize| legs.get(i + 2..).unwrap_or(&[]);
+    legs.iter().enumerate().map(|(i, leg)| later(i).iter().filter(|other| cross(*leg, **other)).count()).sum()
 }
 
-/// Whether two legs cross within both, or lie on each other.
+/// Whether two legs cross at inner points of both, or overlap.
 fn cross(a: [Point; 2], b: [Point; 2]) -> bool {
     let (along_a, along_b) = (a[1] - a[0], b[1] - b[0]);
     let (length_a, length_b) = (along_a.norm(), along_b.norm());

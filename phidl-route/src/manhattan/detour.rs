@@ -1,9 +1,9 @@
-//! The way round where the ordinary choice runs over itself.
+//! The shortest clear line where the ordinary waypoints run over themselves.
 //!
-//! All lines of up to six corners are tried whose legs lie on a small set of coordinates: those of the two ports and up
-//! to four reaches beside them. A maze router on a finer grid would find shorter ways now and then, but its lines would
-//! jump from one placement to the next, and it would find one in no more placements: neither two more corners nor half
-//! the step do (a test tries). Where there is no way, it is between the two ports that there is no room.
+//! All lines of up to six corners are tried whose legs lie on a small set of coordinates: those of the two ports and up to
+//! four bend extents beside them. A maze router on a finer grid was rejected: it would sometimes find shorter lines, but its
+//! lines would jump from one position of the ports to the next, and it would succeed for no more positions (a test tries two
+//! more corners, and half the step). Where there is no line, there is no room between the two ports.
 
 use phidl_core::Result;
 use phidl_core::geom::Point;
@@ -11,28 +11,28 @@ use phidl_core::geom::Point;
 use super::footprint::{Footprint, Wire};
 use crate::port_pair::{PortPair, left_of};
 
-/// Legs may be this much too short (µm): rounding.
+/// Shortfall of a leg that is accepted as rounding (µm).
 const ROOM: f64 = 1e-9;
 
-/// Which lines are tried.
+/// The lines that are tried.
 struct SearchGrid {
-    /// The most corners that they have.
+    /// Maximum number of corners.
     corners: usize,
     /// Where their legs may lie, in reaches beside a port; of lines that are equally long the first is taken.
     beside: &'static [f64],
 }
 
-const USUAL: SearchGrid = SearchGrid { corners: 6, beside: &[1.0, -1.0, 2.0, -2.0, 3.0, -3.0, 4.0, -4.0, 0.0] };
+const DEFAULT: SearchGrid = SearchGrid { corners: 6, beside: &[1.0, -1.0, 2.0, -2.0, 3.0, -3.0, 4.0, -4.0, 0.0] };
 
 /// The shortest line with the fewest corners on which a wire does not run over itself or over an obstacle. Legs have room
-/// for bends that extent so far (µm). Obstacles are in the frame of the first port.
+/// for bends of this extent (µm). Obstacles are in the frame of the first port.
 pub(crate) fn shortest(
     pair: &PortPair<'_>,
     extent: f64,
     wire: &mut Wire,
     obstacles: &[Footprint],
 ) -> Result<Option<Vec<Point>>> {
-    shortest_of(&USUAL, pair, extent, wire, obstacles)
+    shortest_of(&DEFAULT, pair, extent, wire, obstacles)
 }
 
 fn shortest_of(
@@ -233,11 +233,11 @@ mod tests {
             pair.check_waypoints(&line).unwrap();
             found += 1;
         }
-        assert!(found > 2000, "{found} of 2500 placements have a way round");
+        assert!(found > 2000, "{found} of 2500 positions have a clear line");
     }
 
     #[test]
-    fn more_corners_and_a_finer_grid_find_a_way_in_no_more_placements() {
+    fn more_corners_and_a_finer_grid_find_a_line_for_no_more_positions() {
         const FINE: [f64; 17] =
             [1.0, -1.0, 1.5, -1.5, 2.0, -2.0, 2.5, -2.5, 3.0, -3.0, 3.5, -3.5, 4.0, -4.0, 5.0, -5.0, 0.0];
         let (mut none, mut found) = (0, 0);
@@ -248,12 +248,12 @@ mod tests {
                 found += 1;
                 continue;
             }
-            for more in [SearchGrid { corners: 8, ..USUAL }, SearchGrid { corners: 6, beside: &FINE }] {
+            for more in [SearchGrid { corners: 8, ..DEFAULT }, SearchGrid { corners: 6, beside: &FINE }] {
                 let line = shortest_of(&more, &pair, 3.1, &mut wire, &[]).unwrap();
                 assert_eq!(line, None, "from {a} to {b}");
             }
             none += 1;
         }
-        assert!(none > 20 && found > 20, "{none} without a way, {found} with one");
+        assert!(none > 20 && found > 20, "{none} without a line, {found} with one");
     }
 }

@@ -1,42 +1,41 @@
-//! What a wire covers: convex footprints along its way, and which of them lie on one another.
+//! [`Footprint`]: the areas that a wire covers, as convex quadrilaterals, and which of them overlap.
 //!
-//! Whether a wire runs over itself is asked of the wire as it is drawn, with its width and its bends cut across the
-//! corners; of a line without width one learns neither that two legs touch nor that two corners do not.
+//! The test is made on the drawn wire, with its width and with bends that cut the corners. A line without width was rejected:
+//! it shows neither that two legs touch nor that two corners do not.
 //!
-//! Pieces with fewer than three corners between them are never compared, for they cannot overlap as long as no bend is
+//! Footprints with fewer than three corners between them are never compared. They cannot overlap as long as no bend is
 //! tighter than half the width: with one corner between them two legs are the sides of a bend, with two they are the sides
-//! of a U (at least two radii apart) or of an S, and of three bends in a row each lies in a quadrant of its own.
+//! of a U (at least two radii from each other) or of an S, and of three bends in a row each lies in its own quadrant.
 
 use std::cell::OnceCell;
 use std::rc::Rc;
 
-use phidl_core::Result;
 use phidl_core::geom::{Point, Rect};
+use phidl_core::{Error, Result};
 use phidl_path::Bend as _;
 
 use super::RouteBend;
-use crate::port_pair::{left_of, refused};
+use crate::port_pair::left_of;
 
 /// Pieces that share a strip no wider than this (µm) only touch: rounding.
 const TOUCH: f64 = 1e-6;
 /// Half of the width (µm) that a line without width gets: a step of the usual database grid.
 const THINNEST: f64 = 0.5e-3;
-/// In how many quadrilaterals a bend is covered. At 90° these stand out from it by 0.05 % of its outer radius, which is
-/// how early a touch is seen.
+/// Number of quadrilaterals that cover a bend. At 90° they extend beyond it by 0.05 % of its outer radius.
 const SLICES: usize = 24;
-/// Maximum number of overlaps that are counted: it bounds the time for a wire that is wider than its bumps are apart.
+/// Maximum number of overlaps that are counted: it bounds the time for a wire that is wider than the distance of its bumps.
 const MOST_OVERLAPS: usize = 1000;
-/// Places along the way by which two footprints must differ to be compared: legs have even numbers, corners odd ones.
-const APART: usize = 6;
+/// Smallest difference of the indices of two footprints that are compared: legs have even indices, corners odd ones.
+const INDEX_DISTANCE: usize = 6;
 
-/// A right angle, and how much (degrees) makes no difference to a bend.
+/// A right angle, and the difference (degrees) within which two bends are equal.
 const RIGHT: f64 = 90.0;
 const ALIKE: f64 = 1e-6;
 
 /// A convex quadrilateral, counter-clockwise or not.
 type Quad = [Point; 4];
 
-/// A wire: how wide it is and what it does at its corners.
+/// A wire: its width and its bends.
 #[derive(Debug)]
 pub(crate) struct Wire {
     half_width: f64,
@@ -48,23 +47,23 @@ pub(crate) struct Wire {
 /// A bend to the left from the origin heading right.
 #[derive(Debug)]
 struct Shape {
-    /// How far it turns (degrees).
+    /// Its turn (degrees).
     angle: f64,
-    /// How far before its corner it starts (µm).
+    /// Distance before its corner at which it starts (µm).
     extent: f64,
     /// A box around it.
     bounds: Rect,
     half_width: f64,
     bend: Option<(RouteBend, f64)>,
-    /// Cut when first asked for: most bends are nowhere near another one.
+    /// Computed on demand: most bends are far from other footprints.
     quads: OnceCell<Vec<Quad>>,
 }
 
 /// A leg or a bend of a wire.
 #[derive(Debug, Clone)]
 pub(crate) struct Footprint {
-    /// Its place along the way: leg, corner, leg, corner …
-    place: usize,
+    /// Its index along the wire: leg, corner, leg, corner …
+    index: usize,
     bounds: Rect,
     covered: Covered,
 }
@@ -114,7 +113,7 @@ impl Wire {
         let side = if before.cross(after) < 0.0 { -1.0 } else { 1.0 };
         let frame = [at - before * shape.extent, before, left_of(before) * side];
         let bounds = around(shape.bounds.corners().map(|p| placed(p, &frame)));
-        Ok(Footprint { place: 2 * leg - 1, bounds, covered: Covered::Bend(shape, frame) })
+        Ok(Footprint { index: 2 * leg - 1, bounds, covered: Covered::Bend(shape, frame) })
     }
 
     /// How far the bend between two directions reaches (µm).
@@ -138,14 +137,14 @@ impl Wire {
 impl Shape {
     fn new(bend: Option<(RouteBend, f64)>, angle: f64, half_width: f64) -> Result<Self> {
         if !angle.is_finite() {
-            // Legs of no length, or further apart than numbers extent.
-            return Err(refused("route", "waypoints", "a corner without directions", "be finite and apart"));
+            // Legs of no length, or of infinite length.
+            return Err(Error::custom("route", "two waypoints are equal or infinitely far from each other"));
         }
         let extent = bend.map_or(Ok(0.0), |(bend, radius)| bend.extent(radius, angle))?;
         // Between its tangents, and so in the triangle that they make with its chord.
         let corner = Point::new(extent, 0.0);
         let mut bounds = around([Point::ORIGIN, corner, corner + Point::polar(extent, angle)]).grown(half_width);
-        // But never behind its faces, or it would seem to lie on what it joins.
+        // But never behind its faces, or it would seem to overlap the legs that it joins.
         if angle < RIGHT + ALIKE && bend.is_some() {
             bounds.min.x = 0.0;
             bounds.max.y = if angle > RIGHT - ALIKE { extent } else { bounds.max.y };
@@ -178,8 +177,8 @@ fn slices(points: &[Point], angle: f64, half_width: f64) -> Vec<Quad> {
     (0..last).step_by(slice).map(|from| covering(&edges[from..=(from + slice).min(last)])).collect()
 }
 
-/// The quadrilateral over a stretch of a bend to the left, given by its inner and outer edge. The chord of the inner edge
-/// lies beyond it; that of the outer edge is moved out.
+/// The quadrilateral over a part of a bend to the left, given by its inner and outer edge. The chord of the inner edge lies
+/// outside the edge; the chord of the outer edge is moved outwards.
 fn covering(edges: &[[Point; 2]]) -> Quad {
     let [[inner1, outer1], [inner2, outer2]] = [edges[0], edges[edges.len() - 1]];
     let chord = outer2 - outer1;
@@ -188,7 +187,7 @@ fn covering(edges: &[[Point; 2]]) -> Quad {
     [inner1, outer1 + out * most, outer2 + out * most, inner2]
 }
 
-/// A point of a shape, wherever the shape is.
+/// A point of a shape in a frame.
 fn placed(p: Point, [origin, along, left]: &[Point; 3]) -> Point {
     *origin + *along * p.x + *left * p.y
 }
@@ -198,11 +197,11 @@ fn around(points: impl IntoIterator<Item = Point>) -> Rect {
 }
 
 impl Footprint {
-    fn straight(place: usize, from: Point, to: Point, half_width: f64) -> Self {
+    fn straight(index: usize, from: Point, to: Point, half_width: f64) -> Self {
         let (along, length) = (to - from, from.distance(to));
         let left = if length > 0.0 { left_of(along / length) * half_width } else { Point::ORIGIN };
         let quad = [from + left, from - left, to - left, to + left];
-        Self { place, bounds: around(quad), covered: Covered::Straight(quad) }
+        Self { index, bounds: around(quad), covered: Covered::Straight(quad) }
     }
 
     /// Something straight that is no part of the wire.
@@ -215,7 +214,7 @@ impl Footprint {
         boxes_overlap(&self.bounds, &other.bounds) && self.depths(other).any(|depth| depth > TOUCH)
     }
 
-    /// By how much two footprints would have to move apart, so that they only touch (µm).
+    /// The distance by which two footprints would have to be separated so that they only touch (µm).
     pub(crate) fn depth(&self, other: &Self) -> f64 {
         match boxes_overlap(&self.bounds, &other.bounds) {
             true => self.depths(other).fold(0.0, f64::max),
@@ -237,9 +236,9 @@ impl Footprint {
         boxed.filter(|(_, own)| boxes_overlap(own, bounds)).collect()
     }
 
-    /// Whether two footprints of one wire lie on one another.
+    /// Whether two footprints of one wire overlap.
     pub(crate) fn lies_on(&self, other: &Self) -> bool {
-        self.place.abs_diff(other.place) >= APART && self.overlaps(other)
+        self.index.abs_diff(other.index) >= INDEX_DISTANCE && self.overlaps(other)
     }
 
     fn quads(&self) -> impl Iterator<Item = Quad> {
@@ -256,7 +255,7 @@ fn boxes_overlap(a: &Rect, b: &Rect) -> bool {
     shared(a.min.x.max(b.min.x), a.max.x.min(b.max.x)) && shared(a.min.y.max(b.min.y), a.max.y.min(b.max.y))
 }
 
-/// By how much two convex quadrilaterals overlap across the edge across which it is least (µm); 0 if they do not.
+/// The smallest overlap of two convex quadrilaterals across one of their edges (µm); 0 if they do not overlap.
 fn depth(a: &Quad, b: &Quad) -> f64 {
     let least = |a: &Quad, b: &Quad, most: f64| {
         let sides = (0..4).map(|i| [a[i], a[(i + 1) % 4]]).filter(|[from, to]| from != to);
@@ -266,7 +265,7 @@ fn depth(a: &Quad, b: &Quad) -> f64 {
     if most > 0.0 { least(b, a, most).max(0.0) } else { 0.0 }
 }
 
-/// How much of the line across an edge two quadrilaterals share (µm); negative if they are apart.
+/// The overlap of two quadrilaterals on the line across an edge (µm); negative if they are separated there.
 fn shared_across([from, to]: [Point; 2], a: &Quad, b: &Quad) -> f64 {
     let across = left_of((to - from) / from.distance(to));
     let span = |quad: &Quad| {
@@ -279,7 +278,7 @@ fn shared_across([from, to]: [Point; 2], a: &Quad, b: &Quad) -> f64 {
 
 /// The number of pairs of footprints of a wire that overlap, at most [`MOST_OVERLAPS`].
 pub(crate) fn self_overlaps(footprints: &[Footprint]) -> usize {
-    if footprints.len() <= APART {
+    if footprints.len() <= INDEX_DISTANCE {
         return 0;
     }
     pairs(footprints).filter(|[a, b]| a.lies_on(b)).take(MOST_OVERLAPS).count()

@@ -218,7 +218,7 @@ mod tests {
 
     #[test]
     fn bumps_go_to_the_clear_side() {
-        // A C to the left: its long leg runs back above the ports, so that bumps on its left would cross the way.
+        // A C to the left: its long leg runs back above the ports, so that bumps on its left would cross the route.
         let (a, b) = (Port::new((0, 0), 1, 0), Port::new((-200, 5), 1, 180));
         let device = RouteSerpentineParams::new(&a, &b, 900).radius(5).allow_detour(true).build().unwrap();
         assert!((device.info()["length"].as_f64().unwrap() - 900.0).abs() < 1e-4);
