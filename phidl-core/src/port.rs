@@ -65,6 +65,18 @@ impl Port {
         Self { width: width.into(), ..self }
     }
 
+    /// The same port at another midpoint.
+    #[must_use]
+    pub fn with_midpoint(self, midpoint: impl Into<Point>) -> Self {
+        Self { midpoint: midpoint.into(), ..self }
+    }
+
+    /// The same port with another orientation (degrees).
+    #[must_use]
+    pub fn with_orientation(self, orientation: impl Into<f64>) -> Self {
+        Self { orientation: angle::normalized(orientation.into()), ..self }
+    }
+
     /// The same port with one more value in its info.
     #[must_use]
     pub fn with_info(mut self, key: impl Into<String>, value: impl Into<Value>) -> Self {
@@ -189,6 +201,13 @@ impl Transformable for Port {
         self.midpoint = by.apply(self.midpoint);
         self.orientation = by.apply_direction(self.orientation);
         self.width *= by.magnification;
+    }
+
+    /// A rotation about the midpoint leaves it exactly where it is.
+    fn rotate_mut(&mut self, degrees: f64, center: Point) {
+        let midpoint = if center == self.midpoint { Some(center) } else { None };
+        self.transform_mut(&Transform::rotation_about(degrees, center));
+        self.midpoint = midpoint.unwrap_or(self.midpoint);
     }
 
     /// The midpoint, as in PHIDL.

@@ -3,6 +3,7 @@
 pub use crate::error::{Error, Result};
 pub use crate::geom::{Outline, Point, Rect, Size, Transform};
 pub use crate::layer::{Color, Layer, LayerSet, Layers, NamedLayer};
+pub use crate::layers;
 pub use crate::param::{Check, Value};
 pub use crate::place::{Align, Bounded, Direction, Edge, Movable, Transformable};
 pub use crate::port::Port;

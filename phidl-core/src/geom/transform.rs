@@ -136,6 +136,14 @@ impl Transform {
     }
 }
 
+impl std::fmt::Display for Transform {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let mirrored = if self.x_reflection { "mirrored, " } else { "" };
+        let Self { magnification, rotation, origin, .. } = self;
+        write!(f, "{mirrored}magnified by {magnification}, rotated by {rotation}° and moved to {origin}")
+    }
+}
+
 impl Default for Transform {
     fn default() -> Self {
         Self::IDENTITY

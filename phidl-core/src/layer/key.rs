@@ -37,6 +37,22 @@ impl From<u16> for Layer {
     }
 }
 
+impl From<&super::NamedLayer> for Layer {
+    fn from(named: &super::NamedLayer) -> Self {
+        named.layer
+    }
+}
+
+impl TryFrom<i32> for Layer {
+    type Error = crate::Error;
+
+    /// A computed layer number, with datatype 0. (`From` would have to accept −1, or to panic.)
+    fn try_from(number: i32) -> crate::Result<Self> {
+        let problem = || format!("the number is {number}, but it must be from 0 to {}", u16::MAX);
+        u16::try_from(number).map(Self::from).map_err(|_| crate::Error::invalid("layer", problem()))
+    }
+}
+
 impl From<(u16, u16)> for Layer {
     fn from((number, datatype): (u16, u16)) -> Self {
         Self::new(number, datatype)

@@ -13,7 +13,7 @@ use super::{Layer, LayerSet, NamedLayer};
 /// assert!(Layers::NONE.is_empty());
 /// ```
 ///
-/// Several layers keep their order; a layer given twice counts once. A shape on several layers draws one copy on each,
+/// For layers of several types, see [`layers!`](crate::layers). Several layers keep their order; a layer given twice counts once. A shape on several layers draws one copy on each,
 /// and on none it draws nothing but still has its ports.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Layers(Inner);
@@ -177,6 +177,22 @@ impl From<&[Layer]> for Layers {
     }
 }
 
+/// [`Layers`] of numbers, pairs and named layers together.
+///
+/// ```
+/// use phidl_core::prelude::*;
+/// let layers = layers![7, 8, (9, 25)];
+/// assert_eq!(layers.to_string(), "{7/0, 8/0, 9/25}");
+/// ```
+#[macro_export]
+macro_rules! layers {
+    ($($layer:expr),* $(,)?) => {
+        <$crate::layer::Layers as ::std::iter::FromIterator<$crate::layer::Layer>>::from_iter([
+            $($crate::layer::Layer::from($layer)),*
+        ])
+    };
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -187,6 +203,16 @@ mod tests {
         assert_eq!(Layers::from([(3, 5)]), Layers::from((3, 5)));
         assert_eq!(Layers::from(Vec::<Layer>::new()), Layers::NONE);
         assert_eq!(Layers::from([1, 2]).to_string(), "{1/0, 2/0}");
+    }
+
+    #[test]
+    fn numbers_pairs_and_named_layers_stand_in_one_list() {
+        let gold = NamedLayer::new("gold", (4, 2));
+        assert_eq!(layers![7, (9, 25), &gold].as_slice(), [Layer::new(7, 0), Layer::new(9, 25), Layer::new(4, 2)]);
+        assert_eq!(layers![], Layers::NONE);
+        assert_eq!(Layer::try_from(7_i32).unwrap(), Layer::new(7, 0));
+        let error = Layer::try_from(-1_i32).unwrap_err().to_string();
+        assert_eq!(error, "layer: the number is -1, but it must be from 0 to 65535");
     }
 
     #[test]

@@ -48,6 +48,24 @@ impl NamedLayer {
         Self { color: Some(color), ..self }
     }
 
+    /// The same with another opacity in pictures, from 0 to 1.
+    #[must_use]
+    pub fn alpha(self, alpha: f64) -> Self {
+        Self { alpha, ..self }
+    }
+
+    /// The same with a fill pattern of a viewer.
+    #[must_use]
+    pub fn dither(self, dither: impl Into<String>) -> Self {
+        Self { dither: Some(dither.into()), ..self }
+    }
+
+    /// The same as a dark-field layer.
+    #[must_use]
+    pub fn inverted(self) -> Self {
+        Self { inverted: true, ..self }
+    }
+
     /// The same with a description.
     #[must_use]
     pub fn description(self, description: impl Into<String>) -> Self {
@@ -122,6 +140,12 @@ impl LayerSet {
         self.layers.values()
     }
 
+    /// The number of layers.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.layers.len()
+    }
+
     /// Whether there is no layer.
     #[must_use]
     pub fn is_empty(&self) -> bool {
@@ -129,9 +153,43 @@ impl LayerSet {
     }
 }
 
+impl std::ops::Index<&str> for LayerSet {
+    type Output = NamedLayer;
+
+    /// The layer of this name.
+    ///
+    /// # Panics
+    /// If there is none; [`LayerSet::get`] returns an error instead.
+    fn index(&self, name: &str) -> &NamedLayer {
+        match self.get(name) {
+            Ok(layer) => layer,
+            Err(error) => panic!("{error}"),
+        }
+    }
+}
+
+impl std::fmt::Display for LayerSet {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let layers: Vec<String> = self.iter().map(|named| format!("{} {}", named.name, named.layer)).collect();
+        write!(f, "LayerSet ({})", layers.join(", "))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn layers_are_reached_by_name_and_listed() {
+        let mut set = LayerSet::new();
+        set.add(NamedLayer::new("au", 1).alpha(0.2).dither("I5").inverted())
+            .unwrap()
+            .add(NamedLayer::new("nb", (2, 1)))
+            .unwrap();
+        assert_eq!((set["nb"].layer, set["au"].alpha, set.len()), (Layer::new(2, 1), 0.2, 2));
+        assert_eq!(set.to_string(), "LayerSet (au 1/0, nb 2/1)");
+        assert_eq!(set.get("ua").unwrap_err().to_string(), "layer set: there is no layer \"ua\"; known are au, nb");
+    }
 
     #[test]
     fn a_refused_layer_changes_nothing() {

@@ -305,7 +305,7 @@ pub(super) fn check_label(label: &Label, device: &str) -> Result<()> {
         false => Err(Error::NotFinite {
             device: device.into(),
             what: format!("the placement of the label \"{}\"", label.text).into(),
-            value: format!("{:?}", label.transform()).into(),
+            value: label.transform().to_string().into(),
         }),
     }
 }

@@ -206,12 +206,16 @@ impl DeviceBuilder {
     /// let mut d = Device::builder("pair");
     /// d.add_polygon([(0, 0), (1, 0), (0, 1)], 6)?;
     /// d.add_polygon([(0, 0), (1, 0), (0, 1)], (8, 2))?;
-    /// d.remap_layers([((8, 2).into(), 99.into()), (6.into(), 77.into())], LayerTarget::All);
+    /// d.remap_layers([((8, 2), 99), ((6, 0), 77)], LayerTarget::All);
     /// assert_eq!(d.build()?.layers(), [Layer::new(77, 0), Layer::new(99, 0)]);
     /// # Ok::<(), phidl_core::Error>(())
     /// ```
-    pub fn remap_layers(&mut self, map: impl IntoIterator<Item = (Layer, Layer)>, affects: LayerTarget) -> &mut Self {
-        let map: BTreeMap<Layer, Layer> = map.into_iter().collect();
+    pub fn remap_layers<F: Into<Layer>, T: Into<Layer>>(
+        &mut self,
+        map: impl IntoIterator<Item = (F, T)>,
+        affects: LayerTarget,
+    ) -> &mut Self {
+        let map: BTreeMap<Layer, Layer> = map.into_iter().map(|(from, to)| (from.into(), to.into())).collect();
         rewrite_below(&mut self.cell, |cell| remap(cell, &map, affects));
         self
     }

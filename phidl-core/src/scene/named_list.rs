@@ -68,6 +68,11 @@ impl<T: Named> NamedList<T> {
         self.index_of(name).map(|index| &self.items[index])
     }
 
+    /// The item at an index, to be changed in everything but its name.
+    pub(crate) fn get_mut(&mut self, index: usize) -> &mut T {
+        &mut self.items[index]
+    }
+
     /// Appends an item; gives it back if its name is taken.
     pub(crate) fn push(&mut self, item: T) -> Result<(), T> {
         if self.index_of(item.name()).is_some() {

@@ -43,6 +43,26 @@ impl Polygon {
         signed_area(&self.points).abs()
     }
 
+    /// Scales by factors along x and y about a point. Factors must be finite and not 0; a negative one mirrors. An invalid
+    /// factor is a deferred error.
+    pub fn scale_xy(&mut self, x: impl Into<f64>, y: impl Into<f64>, center: impl Into<Point>) -> &mut Self {
+        let (x, y, center) = (x.into(), y.into(), center.into());
+        let reason = match [x, y].into_iter().find(|factor| !factor.is_finite() || *factor == 0.0) {
+            Some(0.0) => Some(Reason::FactorNotPositive(0.0)),
+            Some(factor) => Some(Reason::NumberNotFinite(factor)),
+            None if !center.is_finite() => Some(Reason::PointNotFinite(center)),
+            None => None,
+        };
+        match reason {
+            Some(reason) => self.defer(DeferredError { method: "scale_xy", reason }),
+            None => self.points.iter_mut().for_each(|p| {
+                let from = *p - center;
+                *p = center + Point::new(from.x * x, from.y * y);
+            }),
+        }
+        self
+    }
+
     /// Removes the points that are not needed to stay within `tolerance` (µm); see [`simplified`]. An outline that
     /// would lose its third point stays as it is.
     ///

@@ -301,8 +301,14 @@ impl Reference {
         Err(Error::NotFinite {
             device: device.into(),
             what: format!("the placement of the {}", what()).into(),
-            value: format!("{:?} {:?}", self.transform, self.array()).into(),
+            value: self.described_placement().into(),
         })
+    }
+
+    /// The placement as error texts print it.
+    fn described_placement(&self) -> String {
+        let steps = self.array().map(|a| format!(", with array steps {} and {}", a.column_step, a.row_step));
+        format!("{}{}", self.transform, steps.unwrap_or_default())
     }
 
     pub(crate) fn set_device(&mut self, device: Device) {

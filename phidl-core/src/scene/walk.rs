@@ -231,6 +231,13 @@ pub struct FlatPolygons<'a> {
     boxes_at: Option<usize>,
 }
 
+impl<'a> FlatPolygons<'a> {
+    /// The polygons of some placed cells.
+    pub(super) fn of(instances: Instances<'a>) -> Self {
+        Self { instances: instances.drawn(), current: None, layers: None, boxes_at: None }
+    }
+}
+
 impl FlatPolygons<'_> {
     /// Only those on these layers.
     #[must_use]
@@ -317,6 +324,6 @@ impl Device {
     /// ```
     #[must_use]
     pub fn flat_polygons(&self) -> FlatPolygons<'_> {
-        FlatPolygons { instances: self.instances().drawn(), current: None, layers: None, boxes_at: None }
+        FlatPolygons::of(self.instances())
     }
 }

@@ -108,7 +108,7 @@ fn chains_of_20000_cells_need_no_deep_stack() {
         let mapped = top.map_cells(|_| Ok(())).unwrap();
         assert_eq!(mapped.drawing_hash(), hashes.1);
         let mut open = top.edit();
-        open.remap_layers([(1.into(), 2.into())], LayerTarget::All);
+        open.remap_layers([(1, 2)], LayerTarget::All);
         open.simplify(0.001).unwrap();
         open.flatten().unwrap();
         assert!(format!("{open:?}").len() < 100_000);

@@ -79,7 +79,7 @@ fn layers_are_exchanged_all_the_way_down_and_once() {
     d.add(dot(2));
     d.add(dot(3));
     let untouched = d.references().nth(2).unwrap().device().clone();
-    d.remap_layers([(1.into(), 2.into()), (2.into(), 1.into())], LayerTarget::PolygonsOnly);
+    d.remap_layers([(1, 2), (2, 1)], LayerTarget::PolygonsOnly);
     let d = d.build().unwrap();
     let drawn: Vec<u16> = d.flat_polygons().map(|p| p.layer.unwrap().number).collect();
     assert_eq!(drawn, [2, 1, 3]);

@@ -4,5 +4,7 @@ mod bounds;
 mod editing;
 mod errors;
 mod laws;
+mod messages;
 mod placing;
+mod queries;
 mod reference_facts;
