@@ -449,7 +449,7 @@ fn test_via(p: &Given) -> Formula {
     Within(around([(0.0, -reach - 5.0), (2.0 * x + reach, y + reach)]).grown(reach))
 }
 
-/// Three pads wide and three high; wires that are far apart for the pads run out of them by a link at most.
+/// Three pads wide and three high; wires with a large pitch for the pads run out of them by a link at most.
 fn test_comb(p: &Given) -> Formula {
     let ((x, y), wire) = (p.pair("pad_size"), p.number("wire_width"));
     let link = 4.0 * wire + 2.0 * p.number("wire_gap");

@@ -170,7 +170,7 @@ fn no_glyph_has_an_island_in_either_tone() {
         assert_eq!(ink.len(), glyph.outlines.len(), "{}: polygons overlap or enclose something", glyph.character);
         assert!(ink.iter().all(|path| area(path) > 0.0), "{} encloses a counter", glyph.character);
         let pieces = background(glyph).iter().filter(|path| area(path) > 0.0).count();
-        assert_eq!(pieces, 1, "what is around {} falls apart", glyph.character);
+        assert_eq!(pieces, 1, "the area around {} is in several parts", glyph.character);
     }
 }
 
@@ -212,7 +212,7 @@ fn narrowest_gap(glyph: &Glyph) -> f64 {
     let mut narrowest = f64::INFINITY;
     for a in &sides {
         for b in sides.iter().filter(|b| a.out.dot(b.out) < FACING) {
-            // Of two edges apart, the shortest way starts at an end of one of them.
+            // The shortest segment between two disjoint edges starts at an end of one of them.
             let ways = a.ends.map(|p| way(p, b)).into_iter().chain(b.ends.map(|p| -way(p, a)));
             let outside = ways.filter(|way| way.dot(a.out) > 1e-6 && way.dot(b.out) < -1e-6);
             narrowest = outside.map(Point::norm).fold(narrowest, f64::min);

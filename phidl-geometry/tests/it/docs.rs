@@ -10,7 +10,7 @@ use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use testkit::domain::params;
 
-/// Words that say why a number has no unit.
+/// Terms that explain a number without unit.
 const REASONS: [&str; 12] = [
     "factor",
     "part",
@@ -106,7 +106,7 @@ fn every_port_and_every_note_of_the_example_is_described() {
 }
 
 #[test]
-fn every_parameter_has_its_words_and_every_number_a_unit_or_a_reason() {
+fn every_parameter_is_described_and_every_number_has_a_unit_or_a_reason() {
     let is_number = |param: &ParamInfo| match &param.kind {
         ParamType::Optional(inner) => matches!(**inner, ParamType::Number | ParamType::Point | ParamType::Size),
         ParamType::List(inner) => matches!(**inner, ParamType::Number | ParamType::Point | ParamType::Size),
@@ -115,10 +115,10 @@ fn every_parameter_has_its_words_and_every_number_a_unit_or_a_reason() {
     for_every_shape(|entry, missing| {
         for param in entry.params() {
             if param.docs.is_empty() {
-                missing.push(format!("{}: {} has no words", entry.name, param.name));
+                missing.push(format!("{}: {} is not described", entry.name, param.name));
             }
-            let words = param.docs.to_lowercase();
-            if is_number(&param) && param.unit.is_none() && !REASONS.iter().any(|reason| words.contains(reason)) {
+            let text = param.docs.to_lowercase();
+            if is_number(&param) && param.unit.is_none() && !REASONS.iter().any(|reason| text.contains(reason)) {
                 missing.push(format!("{}: {} has no unit: {}", entry.name, param.name, param.docs));
             }
         }

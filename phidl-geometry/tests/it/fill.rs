@@ -189,8 +189,8 @@ fn what_cannot_be_filled_is_refused() {
     assert!(message(square().bbox([(0, 0), (1_000_000, 1_000_000)])).contains("cells in the box"));
     let empty = Device::builder("nothing").build().unwrap();
     assert!(message(pg::FillRectangleParams::new(empty)).contains("bbox is not given"));
-    let words = r#"{"D": {"device": "rectangle"}, "avoid_layers": "some"}"#;
-    assert!(registry::find("fill_rectangle").unwrap().build(&serde_json::from_str(words).unwrap()).is_err());
+    let params = r#"{"D": {"device": "rectangle"}, "avoid_layers": "some"}"#;
+    assert!(registry::find("fill_rectangle").unwrap().build(&serde_json::from_str(params).unwrap()).is_err());
 }
 
 #[test]
@@ -290,8 +290,8 @@ proptest! {
                 prop_assert!(away.norm() >= margin - 1e-9 && (margin > 0.0 || away.norm() > 0.0), "{} near {}", cell, p);
             }
         }
-        let plain = cells(&fill.avoid_layers(1).build().unwrap());
-        prop_assert!(plain.iter().all(|cell| is_drawn(&drawn, *cell)), "opening takes no cell away");
+        let closed = cells(&fill.avoid_layers(1).build().unwrap());
+        prop_assert!(closed.iter().all(|cell| is_drawn(&drawn, *cell)), "opening takes no cell away");
     }
 
     #[test]

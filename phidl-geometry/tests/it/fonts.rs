@@ -41,7 +41,7 @@ fn a_font_from_a_file_is_scaled_by_its_ascender_and_its_lines_by_its_own_pitch()
     let font = DejaVu::new();
     // H of DejaVu Sans is 1493 units high, with stems from 201 to 403 and 1137 to 1339.
     assert_box(&font.draw("H"), [201.0, 0.0, 1339.0, 1493.0]);
-    // Its lines are 1901 + 483 units apart.
+    // Its line pitch is 1901 + 483 units.
     assert_box(&font.draw("H\nH"), [201.0, -2384.0, 1339.0, 1493.0]);
     assert_box(&font.write("H").size(-ASCENDER).build().unwrap(), [-1339.0, -1493.0, -201.0, 0.0]);
 }

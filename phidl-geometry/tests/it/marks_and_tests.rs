@@ -113,18 +113,18 @@ proptest! {
         width in 0.2..8.0_f64,
     ) {
         let Ok(d) = pg::test_res((x, y), squares, width, 0, 1, 2) else { return Ok(()) };
-        let told = d.info()["num_squares"].as_f64().unwrap();
+        let recorded = d.info()["num_squares"].as_f64().unwrap();
         let wire: Vec<Vec<Point>> =
             d.flat_polygons().filter(|p| p.layer == Some(0.into())).map(|p| p.points().collect()).collect();
         // No block of the wire covers another one, so its area counts its squares.
-        prop_assert!((merged_area(&wire) / (width * width) - told).abs() < 1e-3 * told, "{told}");
+        prop_assert!((merged_area(&wire) / (width * width) - recorded).abs() < 1e-3 * recorded, "{recorded}");
         let all: Vec<Rect> = boxes(&d, 0).into_iter().chain(boxes(&d, 1)).collect();
         prop_assert!(hang_together(&all));
         prop_assert!(boxes(&d, 0).iter().all(|r| r.min.y > -1e-9 && r.max.y < y + 1e-9));
         let grounds_inside = boxes(&d, 2).iter().zip(boxes(&d, 1)).all(|(g, p)| p.grown(1e-9).contains(g.min) && p.grown(1e-9).contains(g.max));
         prop_assert!(grounds_inside);
         let rows = (y / (2.0 * width)).floor();
-        prop_assert!(squares < 2.0 * rows + 2.0 || (told - squares).abs() < 1e-9 * squares);
+        prop_assert!(squares < 2.0 * rows + 2.0 || (recorded - squares).abs() < 1e-9 * squares);
     }
 
     #[test]

@@ -74,12 +74,12 @@ fn filled_cells_differ_from_the_reference_near_the_margin_only() {
     // The bars of the cross, the rectangle and the disc, as distances of a cell from them.
     let boxes = [((20.0, 45.0), (70.0, 53.0)), ((-80.0, -38.0), (-40.0, -32.0)), ((-63.0, -55.0), (-57.0, -15.0))];
     let distance = |cell: Rect| -> f64 {
-        let apart = |a: Rect, b: Rect| {
+        let gap = |a: Rect, b: Rect| {
             let along = |a0: f64, a1: f64, b0: f64, b1: f64| (b0 - a1).max(a0 - b1).max(0.0);
             along(a.min.x, a.max.x, b.min.x, b.max.x).hypot(along(a.min.y, a.max.y, b.min.y, b.max.y))
         };
         let nearest = Point::new(0.0_f64.clamp(cell.min.x, cell.max.x), 0.0_f64.clamp(cell.min.y, cell.max.y));
-        boxes.iter().map(|(a, b)| apart(cell, Rect::new(*a, *b))).fold(nearest.norm() - 30.0, f64::min)
+        boxes.iter().map(|(a, b)| gap(cell, Rect::new(*a, *b))).fold(nearest.norm() - 30.0, f64::min)
     };
     for case in read::<Fill>(include_str!("../golden/fill.json")) {
         let fill = pg::FillRectangleParams::new(&layout)

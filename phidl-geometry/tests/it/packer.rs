@@ -24,7 +24,7 @@ fn density(bin: &Device) -> f64 {
     boxes(bin).iter().map(Rect::area).sum::<f64>() / bin.bbox().unwrap().area()
 }
 
-/// The distance between two boxes along the axis on which they are further apart.
+/// The distance between two boxes along the axis with the larger distance.
 fn gap(a: Rect, b: Rect) -> f64 {
     let along = |a_min: f64, a_max: f64, b_min: f64, b_max: f64| (b_min - a_max).max(a_min - b_max);
     along(a.min.x, a.max.x, b.min.x, b.max.x).max(along(a.min.y, a.max.y, b.min.y, b.max.y))

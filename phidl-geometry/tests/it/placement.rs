@@ -73,10 +73,10 @@ impl Script {
     }
 
     fn set(&mut self, on: &str, what: &str, value: Option<Json>, from: Option<(String, String)>, plus: Option<f64>) {
-        let thing = self.names[on];
+        let element = self.names[on];
         if what == "center" {
             let center = <[f64; 2]>::deserialize(value.expect("a center is set from a value")).expect("a pair");
-            self.cell[thing].set_center(center);
+            self.cell[element].set_center(center);
             return;
         }
         let to = match (value, from) {
@@ -87,7 +87,7 @@ impl Script {
             }
             (None, None) => panic!("set has neither a value nor a source"),
         };
-        let reference = &mut self.cell[thing];
+        let reference = &mut self.cell[element];
         match edge(what) {
             Edge::X => reference.set_x(to),
             Edge::XMin => reference.set_xmin(to),
@@ -103,16 +103,16 @@ impl Script {
     }
 }
 
-/// The words that a reference and a cell have in common.
-fn place(thing: &mut impl Movable, op: Op) {
+/// The placement methods that a reference and a cell have in common.
+fn place(element: &mut impl Movable, op: Op) {
     match op {
-        Op::Move { by: Some(by), .. } => thing.move_by(by),
-        Op::Move { origin: Some(origin), destination: Some(destination), .. } => thing.move_to(origin, destination),
-        Op::Movex { by, .. } => thing.movex(by),
-        Op::Movey { by, .. } => thing.movey(by),
-        Op::Rotate { angle, center, .. } => thing.rotate_about(angle, center),
-        Op::Mirror { p1, p2, .. } => thing.mirror(p1, p2),
-        op => panic!("{op:?} is no placement word"),
+        Op::Move { by: Some(by), .. } => element.move_by(by),
+        Op::Move { origin: Some(origin), destination: Some(destination), .. } => element.move_to(origin, destination),
+        Op::Movex { by, .. } => element.movex(by),
+        Op::Movey { by, .. } => element.movey(by),
+        Op::Rotate { angle, center, .. } => element.rotate_about(angle, center),
+        Op::Mirror { p1, p2, .. } => element.mirror(p1, p2),
+        op => panic!("{op:?} is no placement method"),
     };
 }
 
