@@ -25,3 +25,23 @@ fn generators_of_the_library_are_found_by_name() -> Result<()> {
     }
     Ok(())
 }
+
+/// Draws a strip.
+#[device(cell_name = "strip_W{width}_L{length}")]
+fn strip(#[default(1)] width: f64, #[default(2)] length: f64) -> Result<Device> {
+    let mut d = Device::builder("strip");
+    d.add_polygon([(0.0, 0.0), (length, 0.0), (length, width), (0.0, width)], 1)?;
+    d.build()
+}
+
+#[test]
+fn a_template_names_cells_in_files() -> Result<()> {
+    let mut chip = Device::builder("chip");
+    chip.add(strip(0.08, 10)?);
+    chip.add(strip(0.5, 10)?);
+    let bytes = io::gds::to_bytes(&chip.build()?, &io::gds::GdsOptions::default()).expect("a file");
+    let read = io::gds::read_bytes(&bytes, &io::gds::ReadOptions::default()).expect("what was written").device;
+    let names: Vec<&str> = read.references().iter().map(|reference| reference.device().name()).collect();
+    assert_eq!(names, ["strip_W0p08_L10", "strip_W0p5_L10"]);
+    Ok(())
+}

@@ -1,10 +1,12 @@
 //! Cell names for a file: readable, unique, short enough, and the same in every run.
 //!
-//! A cell keeps its own name if readers take it and no other cell has it. Where several cells share a name, each gets what
-//! distinguishes it: the parameters of its generator that differ (`ring_radius12p5`; `ring_r12p5` if that is too long), or else the first digits of its
-//! content's hash. PHIDL numbers them (`ring002`) instead, so that a cell added in front renames all that follow. Here a
-//! name depends on what the cell is and not on its position.
+//! A cell has the name that its generator makes by a template (`#[device(cell_name = …)]`), or else its own. It keeps
+//! that if readers take it and no other cell has it. Where several cells share a name, each gets what distinguishes it:
+//! the parameters of its generator that differ (`ring_radius12p5`; `ring_r12p5` if that is too long), or else the first
+//! digits of its content's hash. PHIDL numbers them (`ring002`) instead, so that a cell added in front renames all that
+//! follow. Here a name depends on what the cell is and not on its position.
 
+use std::borrow::Cow;
 use std::collections::{BTreeMap, HashSet};
 
 use phidl_core::param::Value;
@@ -22,10 +24,10 @@ pub(super) fn unique_names(cells: &[Device], tops: usize, naming: &Naming<'_>) -
     let mut names = Names { taken: HashSet::new(), naming };
     let mut given = vec![None; cells.len()];
     if let (Some(top), 1) = (cells.last(), tops) {
-        let base = naming.top_name.map_or_else(|| naming.limits.legal(top.name()), str::to_owned);
+        let base = naming.top_name.map_or_else(|| naming.limits.legal(&own_name(top)), str::to_owned);
         given[cells.len() - 1] = names.keep(base.clone()).or_else(|| Some(names.by_hash(&base, top)));
     }
-    let bases: Vec<String> = cells.iter().map(|cell| naming.limits.legal(cell.name())).collect();
+    let bases: Vec<String> = cells.iter().map(|cell| naming.limits.legal(&own_name(cell))).collect();
     let groups = groups(cells, &bases, &given);
     // Cells that keep a name come first, so that no made-up name takes it.
     for (base, group) in &groups {
@@ -53,6 +55,11 @@ pub(super) fn unique_names(cells: &[Device], tops: usize, naming: &Naming<'_>) -
     given.into_iter().flatten().collect()
 }
 
+/// The name that the generator of a cell gives it by a template, or the name of the cell.
+fn own_name(cell: &Device) -> Cow<'_, str> {
+    cell.source().and_then(Source::cell_name).map_or_else(|| Cow::Borrowed(cell.name()), Cow::Owned)
+}
+
 /// Refuses a name that the file cannot have.
 pub(crate) fn check(option: &'static str, name: &str, limits: &FileLimits) -> Result<()> {
     if limits.is_legal(name) {
@@ -71,7 +78,7 @@ impl SharedName {
         if let [only] = self.0[..] {
             return Some(only);
         }
-        let mut owners = self.0.iter().filter(|cell| cells[**cell].name() == base);
+        let mut owners = self.0.iter().filter(|cell| own_name(&cells[**cell]) == base);
         owners.next().copied().filter(|_| owners.next().is_none())
     }
 }
