@@ -31,7 +31,7 @@
 //! | list or build generators by name | [`registry`] |
 //!
 //! # Features
-//! All are on by default. A program that needs less says `default-features = false` and names what it uses.
+//! All but `cli` are on by default. A program that needs less says `default-features = false` and names what it uses.
 //!
 //! | feature | module |
 //! |---|---|
@@ -40,6 +40,8 @@
 //! | `route` | [`route`]; includes `path` |
 //! | `boolean` | [`boolean`] |
 //! | `io` | [`io`] |
+//! | `cli` | `io::cli`: commands that list and draw the generators of a program |
+//! | `fonts` | `shapes::text` draws fonts from files and of the system; without it there is the built-in font only |
 //! | `parallel` | [`Device::flattened`](scene::Device::flattened) uses all cores |
 //!
 //! # Conventions
