@@ -389,7 +389,7 @@ mod tests {
         let mut path = Path::new();
         path.append([(0, 0), (9, 0)]).rotate(f64::NAN).append([(0, 0)]).set_end_angle(f64::INFINITY);
         let error = path.extrude_width(1, 0).unwrap_err();
-        assert_eq!(error.to_string(), "path: rotate of the path is NaN, but it must be finite");
+        assert!(["path:", "rotate", "NaN"].iter().all(|part| error.to_string().contains(part)), "{error}");
         assert_eq!(Path::new().append(&path).hash_geometry(1e-4).unwrap_err(), error);
         assert!(Path::from_points([(0.0, 0.0), (f64::NAN, 1.0)]).is_err());
         assert!(Path::from_points([(0, 0)]).is_err());
