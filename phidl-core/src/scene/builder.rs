@@ -27,7 +27,8 @@ use crate::port::Port;
 /// let mut d = Device::builder("two_pads");
 /// let left = d.add_as("left", &pad);
 /// let right = d.add(&pad);
-/// d.mirror(right, (0, 0), (0, 1)).set_xmin(right, d.xmax("left") + 5.0);
+/// d.mirror(right, (0, 0), (0, 1));
+/// d.set_xmin(right, d.xmax("left") + 5.0);
 /// d.add_port("out", d[left].port("e")?)?;
 /// assert_eq!(d.build()?.bbox(), Some(Rect::new((0, 0), (85, 20))));
 /// # Ok::<(), phidl_core::Error>(())
