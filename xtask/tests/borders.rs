@@ -109,7 +109,7 @@ fn core_knows_no_clock_and_no_format_and_never_prints() {
         assert!(places.is_empty(), "{word} in {places:?}");
     }
     let rayon: Vec<_> = places_naming("rayon").into_keys().filter(|file| file.starts_with("phidl-core")).collect();
-    let behind_the_feature = ["phidl-core/src/runtime/worker.rs", "phidl-core/src/scene/parallel.rs"].map(Path::new);
+    let behind_the_feature = ["phidl-core/src/runtime/stack.rs", "phidl-core/src/scene/parallel.rs"].map(Path::new);
     assert_eq!(rayon, behind_the_feature);
 }
 
