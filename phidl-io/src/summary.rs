@@ -55,7 +55,7 @@ impl Summary {
     /// Nothing is flattened: counts are added up cell by cell. Those that do not fit 64 bits stop at the largest number.
     ///
     /// # Errors
-    /// [`IoError::Option`] as for writing.
+    /// [`IoError::Option`](crate::IoError::Option) as for writing.
     pub fn new(device: &Device, options: &GdsOptions, bytes: &[u8]) -> Result<Self> {
         options.check()?;
         let table = CellTable::of(device.into(), &options.naming());
@@ -74,7 +74,7 @@ impl Summary {
     /// Sums up a device and the file that was written of it with these options.
     ///
     /// # Errors
-    /// [`IoError::File`] if it cannot be read; [`IoError::Option`] as for writing.
+    /// [`IoError::File`](crate::IoError::File) if it cannot be read; [`IoError::Option`](crate::IoError::Option) as for writing.
     pub fn of_file(device: &Device, options: &GdsOptions, path: impl AsRef<Path>) -> Result<Self> {
         let path = path.as_ref();
         Self::new(device, options, &crate::input::read(path)?)

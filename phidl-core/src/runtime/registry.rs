@@ -29,7 +29,7 @@ pub fn all() -> impl ExactSizeIterator<Item = &'static GeneratorInfo> {
 /// The generator with this name. `module::name` tells generators of several crates apart.
 ///
 /// # Errors
-/// [`Error::Unknown`] with the names that are there; [`Error::Refused`] if the name alone does not say which one.
+/// [`Error::Unknown`] with the names that are there; [`Error::Invalid`] if the name alone does not say which one.
 pub fn find(name: &str) -> Result<&'static GeneratorInfo> {
     let found: Vec<_> = all().filter(|entry| entry.name == name || path(entry.module, entry.name) == name).collect();
     match found[..] {

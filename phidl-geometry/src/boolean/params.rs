@@ -9,7 +9,7 @@ use phidl_macros::Choice;
 const FEWEST_POINTS: usize = 5;
 
 /// One device, several, or none. A placement is given as a cell of its own,
-/// [`Reference::alone`](phidl_core::scene::Reference::alone); phidl-boolean's functions take placements and bare outlines
+/// [`Reference::to_device`](phidl_core::scene::Reference::to_device); phidl-boolean's functions take placements and bare outlines
 /// as they are.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct DeviceList(pub Vec<Device>);
@@ -18,7 +18,7 @@ pub struct DeviceList(pub Vec<Device>);
 const MOST_POINTS: usize = 100_000_000;
 
 impl Shapes for DeviceList {
-    /// Refuses more than [`MOST_POINTS`] before memory is taken for them.
+    /// Refuses more than `MOST_POINTS` before memory is taken for them.
     fn add_to(&self, cell: &mut DeviceBuilder) -> Result<()> {
         let mut points = 0_usize;
         for device in &self.0 {

@@ -65,7 +65,7 @@ pub fn write<'a>(
 /// The bytes of a device, or of several, in a format.
 ///
 /// # Errors
-/// As for [`write`], files aside.
+/// As for [`write()`], files aside.
 pub fn to_bytes<'a>(content: impl Into<Content<'a>>, format: Format, options: &WriteOptions) -> Result<Vec<u8>> {
     Ok(devices_to_bytes(content.into(), format, options)?.0)
 }
