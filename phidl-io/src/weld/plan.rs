@@ -1,7 +1,7 @@
 //! The plan of an anchor: which placements below it are written in place, and where their seam points go.
 //!
 //! An anchor is a placement that no open joint leads out of. Its inside is rounded in its own frame and it moves as a
-//! whole; so many anchors of one cell at one angle are one form. Below it, a placement is *exposed* if it holds a member of
+//! whole. Many anchors of one cell at one angle are one form. Below it, a placement is *exposed* if it holds a member of
 //! an open joint that is not all its own, or touches its surroundings in a turned parent: such placements are written in
 //! place, rounded in the frame of the anchor.
 

@@ -35,7 +35,7 @@ pub(super) fn united(wire: &Wire) -> Vec<Vec<Step>> {
     })
 }
 
-/// The union of some outlines; `None` if so many of them lie on each other that the union might not fit in memory.
+/// The union of some outlines; `None` if their overlaps are too many for the union to fit in memory.
 fn merged(outlines: &[Vec<Step>]) -> Option<Region> {
     if overlapping_pairs(outlines) > MOST_PAIRS {
         return None;
